@@ -57,7 +57,7 @@ scenes::Scene without_exact_shape(scenes::Scene scene) {
     scene.prepare = [prepare = scene.prepare](const scenes::Parameters& parameters) {
         scenes::Setup setup = prepare(parameters);
         setup.exact = [outlines = setup.outlines](double) {
-            return scenes::ExactShape{outlines, scenes::signed_area(outlines), "none", 0};
+            return scenes::ExactShape{outlines, scenes::signed_area(outlines), 0};
         };
         return setup;
     };

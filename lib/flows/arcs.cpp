@@ -35,7 +35,7 @@ bool coincide(const Point<double>& a, const Point<double>& b, double size) {
 
 } // namespace
 
-void append_arcs(const LocalFrame& frame, std::span<const Arc> arcs, ExactShape& shape) {
+void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactShape& shape) {
     Outline outline;
     for (std::size_t k = 0; k < arcs.size(); ++k) {
         const Arc& arc = arcs[k];

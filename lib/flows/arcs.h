@@ -4,7 +4,7 @@
 
 #include "shapes/outline.h"
 
-#include <span>
+#include <vector>
 
 namespace dsc::scenes {
 
@@ -26,6 +26,6 @@ struct LocalFrame {
 /// on the arcs, its area, and the area between the two to `own_error`. A straight side leads from
 /// an arc to the next one unless that begins where the first one ends. Outlines run
 /// counter-clockwise about what they hold. O(arcs).
-void append_arcs(const LocalFrame& frame, std::span<const Arc> arcs, ExactShape& shape);
+void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactShape& shape);
 
 } // namespace dsc::scenes

@@ -20,6 +20,8 @@ using std::numbers::pi;
 
 /// New markers are inserted in rounds: each looks at the intervals that the previous one made.
 constexpr int most_rounds = 40;
+/// No more markers are added.
+constexpr std::size_t most_markers = 1U << 20U;
 /// One round cuts an interval into at most this many parts, because its length is only an estimate.
 constexpr double most_parts = 64.0;
 /// The initial number of markers on each smooth piece of a curve.
@@ -66,7 +68,7 @@ void divide(double from, double span, int count, std::vector<Marker>& markers) {
 }
 
 std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& map, double spacing,
-                                   double deviation, int most_markers) {
+                                   double deviation) {
     std::vector<Marker> markers;
     const std::vector<double>& corners = curve.corners;
     const std::size_t pieces = std::max<std::size_t>(1, corners.size());
@@ -99,8 +101,7 @@ std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& 
                 divide(here.parameter, span, static_cast<int>(std::min(parts, most_parts)), added);
             }
         }
-        if (added.empty() ||
-            markers.size() + added.size() > static_cast<std::size_t>(most_markers)) {
+        if (added.empty() || markers.size() + added.size() > most_markers) {
             break;
         }
         place_markers(curve, map, added);
@@ -147,7 +148,7 @@ double rounding_error(std::span<const Outline> outlines) {
 }
 
 template <class Move>
-ExactShape rigid(std::span<const Outline> first, Move move, const std::string& description) {
+ExactShape rigid(std::span<const Outline> first, Move move) {
     ExactShape shape;
     shape.outlines.assign(first.begin(), first.end());
     for (Outline& outline : shape.outlines) {
@@ -156,7 +157,6 @@ ExactShape rigid(std::span<const Outline> first, Move move, const std::string& d
         }
     }
     shape.area = signed_area(first);
-    shape.description = description;
     shape.own_error = rounding_error(shape.outlines);
     return shape;
 }
@@ -165,7 +165,7 @@ ExactShape rigid(std::span<const Outline> first, Move move, const std::string& d
 
 ExactShape translated_shape(std::span<const Outline> first, const Point<double>& displacement) {
     const auto move = [&](const Point<double>& p) -> Point<double> { return p + displacement; };
-    return rigid(first, move, "first outlines, translated");
+    return rigid(first, move);
 }
 
 ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
@@ -176,7 +176,7 @@ ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& ce
         const Point<double> d = p - centre;
         return centre + Point<double>{c * d.x() - s * d.y(), s * d.x() + c * d.y()};
     };
-    return rigid(first, move, "first outlines, rotated");
+    return rigid(first, move);
 }
 
 ExactShape exact_circle(const Point<double>& centre, double radius, int vertices) {
@@ -192,7 +192,6 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
     }
     shape.outlines.push_back(std::move(outline));
     shape.area = curve.area;
-    shape.description = "circle in closed form, " + std::to_string(vertices) + " vertices";
     // Vertices lie outside by 2/3 of the height of a segment, the middles of edges inside by 1/3:
     // the mean of |1/3 - u^2| over 0 < u < 1 is 4 / (9 sqrt 3).
     const double height = 0.125 * radius * angle * angle;
@@ -202,20 +201,17 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
 }
 
 ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const FlowMap& rough,
-                        const std::string& description, const MarkerOptions& options) {
+                        const MarkerOptions& options) {
     require(options.spacing > 0.0, "spacing of markers", options.spacing, "above 0");
     require(options.deviation > 0.0, "deviation of markers", options.deviation, "above 0");
     const double unit = std::sqrt(curve.area);
     const double spacing = options.spacing * unit;
     const double deviation = options.deviation * unit;
     ExactShape shape;
-    shape.outlines.push_back(
-        balanced_outline(spread_markers(curve, map, spacing, deviation, options.most_markers)));
-    const Outline check = balanced_outline(
-        spread_markers(curve, rough, 2.0 * spacing, 4.0 * deviation, options.most_markers));
+    shape.outlines.push_back(balanced_outline(spread_markers(curve, map, spacing, deviation)));
+    const Outline check =
+        balanced_outline(spread_markers(curve, rough, 2.0 * spacing, 4.0 * deviation));
     shape.area = curve.area;
-    shape.description =
-        description + ", " + std::to_string(shape.outlines.front().size()) + " markers";
     // The error of chords falls with the square of their length and that of the steps with a higher
     // power: if markers are twice as far apart, the difference is at least three times the error of
     // the finer result. Intervals are divided into whole parts, so the actual factor may be smaller
@@ -231,8 +227,7 @@ ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const 
 ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time, int steps,
                           const MarkerOptions& options) {
     return mapped_shape(curve, runge_kutta_map(flow, 0.0, time, steps),
-                        runge_kutta_map(flow, 0.0, time, std::max(1, steps / 2)),
-                        "curve advected by RK4 in " + std::to_string(steps) + " steps", options);
+                        runge_kutta_map(flow, 0.0, time, std::max(1, steps / 2)), options);
 }
 
 int advection_steps(double time) {
@@ -250,7 +245,7 @@ ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double
 
 ExactShape unmoved_shape(const ParametricCurve& curve, const MarkerOptions& options) {
     const FlowMap stay = [](std::span<Point<double>>) {};
-    return mapped_shape(curve, stay, stay, "curve itself", options);
+    return mapped_shape(curve, stay, stay, options);
 }
 
 } // namespace dsc::scenes

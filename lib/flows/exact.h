@@ -26,9 +26,8 @@ namespace dsc::scenes {
 
 /// How closely markers follow a curve, in units of the square root of its area.
 struct MarkerOptions {
-    double spacing = 7.5e-4;    ///< largest distance between neighbours
-    double deviation = 5e-8;    ///< largest distance of the curve from a chord
-    int most_markers = 1 << 20; ///< upper limit; no more are added
+    double spacing = 7.5e-4; ///< largest distance between neighbours
+    double deviation = 5e-8; ///< largest distance of the curve from a chord
 };
 
 /// The image of a curve under an area-preserving map. Where markers come to lie too far apart, or
@@ -38,8 +37,7 @@ struct MarkerOptions {
 /// effort (the same one if it is exact); its result, with markers twice as far apart, gives
 /// own_error.
 [[nodiscard]] ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map,
-                                      const FlowMap& rough, const std::string& description,
-                                      const MarkerOptions& options = {});
+                                      const FlowMap& rough, const MarkerOptions& options = {});
 
 /// The number of RK4 steps for a time in a flow of speeds of about 1 in the unit square: they keep
 /// the error in area near 1e-8 for a curve that is drawn out to a length of about 10.

@@ -135,10 +135,8 @@ ExactShape lens_shape(const Lens& lens) {
     const double r = std::sqrt(lens.area / (2 * pi / 3 - std::numbers::sqrt3 / 2));
     const Point<double> to(0, r * std::cos(pi / 3)); // the centre of the arc below
     ExactShape shape;
-    append_arcs(frame_of(lens),
-                std::array{Arc{to, r, 7 * pi / 6, 11 * pi / 6}, Arc{-to, r, pi / 6, 5 * pi / 6}},
+    append_arcs(frame_of(lens), {{to, r, 7 * pi / 6, 11 * pi / 6}, {-to, r, pi / 6, 5 * pi / 6}},
                 shape);
-    shape.description = "a lens of two arcs in closed form";
     return shape;
 }
 
@@ -196,8 +194,6 @@ ExactShape right_sector(const FourSectors& sectors, double time, const Rectangle
     shape.own_error =
         std::abs(shape.area - signed_area(outline)) + of_shooting * perimeter(outline) * size;
     shape.outlines.push_back(std::move(outline));
-    shape.description =
-        "a self-similar solution of curvature flow, at time " + std::to_string(time);
     return shape;
 }
 

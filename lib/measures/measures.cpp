@@ -64,8 +64,6 @@ std::vector<Measure> make_default_measures() {
          [](M m) { return perimeter(m.outlines); }},
         {"jaggedness", "degrees", "turning angles against those of the exact curve", exact_shape,
          jaggedness_of},
-        {"exact_shape", "text", "how the exact shape was found", exact_shape,
-         [](M m) { return m.exact->description; }},
         {"exact_error", "domain units^2", "area by which the exact shape may be off itself",
          exact_shape, [](M m) { return m.exact->own_error; }},
         {"min_quality", "1", "worst triangle by equation 4", mesh,

@@ -227,7 +227,7 @@ TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
     const ParametricCurve curve = polygon_curve(square(-50, -50, 100));
     const FlowMap map = vortex_map(125.0);
     const MarkerOptions options{.spacing = 4e-3, .deviation = 3e-6};
-    const ExactShape closed = mapped_shape(curve, map, map, "twisted square", options);
+    const ExactShape closed = mapped_shape(curve, map, map, options);
     const ExactShape stepped = advected_shape(curve, steady(field), 125.0, 500, options);
     EXPECT_LT(symmetric_difference(closed.outlines, stepped.outlines), 1e-7);
     EXPECT_NEAR(signed_area(closed.outlines), 1e4, 1e-3);

@@ -40,9 +40,9 @@ Setup dumbbell_to_a_hundredth(const Parameters& p) {
     setup.curvature = CurvatureMotion{};
     setup.exact = [](double time) {
         const double area = first_area - 2 * pi * time;
+        // The disc of the exact area, which the curve approaches.
         ExactShape shape = exact_circle(first.centre, std::sqrt(area / pi));
         shape.area = area;
-        shape.description = "the disc of the exact area, which the curve approaches";
         shape.own_error = std::numeric_limits<double>::quiet_NaN();
         return shape;
     };

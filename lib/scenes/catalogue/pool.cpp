@@ -26,7 +26,6 @@ ExactShape drop_and_pool_at(double time) {
     }
     shape.outlines = {drop, {{0, 0}, {1, 0}, {1, fall.surface}, {0, fall.surface}}};
     shape.area = signed_area(shape.outlines);
-    shape.description = "the image of the drop, and the pool";
     shape.own_error = 2 * drop_radius * fine * fine;
     return shape;
 }

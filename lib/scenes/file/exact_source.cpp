@@ -31,7 +31,6 @@ ExactShape together(const std::vector<FirstShape>& shapes, OneShape one_shape) {
         ExactShape one = one_shape(first.curve);
         all.area += first.is_hole ? -one.area : one.area;
         all.own_error += one.own_error;
-        all.description = one.description;
         for (Outline& outline : one.outlines) {
             all.outlines.push_back(first.is_hole ? reversed(std::move(outline))
                                                  : std::move(outline));

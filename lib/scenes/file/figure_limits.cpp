@@ -17,15 +17,13 @@ constexpr std::string_view at_end = "_last";
 constexpr std::string_view at_half = "_half";
 const std::string kept_value = "attribute_error_last";
 
-// Counts and figures of the whole run, and the measures that are numbers.
+// Counts and figures of the whole run, and the measures.
 std::vector<std::string> names_of_figures() {
     std::vector<std::string> names{"inverted",   "unreached",        "held",
                                    "area_ratio", "min_quality_ever", kept_value};
     for (const Measure& measure : default_measures()) {
         for (const std::string_view moment : {at_end, at_half}) {
-            if (measure.unit != "text") {
-                names.push_back(measure.name + std::string(moment));
-            }
+            names.push_back(measure.name + std::string(moment));
         }
     }
     return names;
