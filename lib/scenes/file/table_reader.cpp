@@ -174,16 +174,16 @@ std::vector<int> TableReader::integers(const std::string& key, int low, int high
         range("whole numbers", low, high));
 }
 
-Phase TableReader::phase(const std::string& key, Phase least) const {
-    return static_cast<Phase>(integer(key, static_cast<int>(least), largest_phase));
+Phase TableReader::phase(const std::string& key, int least) const {
+    return static_cast<Phase>(integer(key, least, largest_phase));
 }
 
 Phase TableReader::phase_or(Phase otherwise, const std::string& key) const {
     return has(key) ? phase(key) : otherwise;
 }
 
-std::vector<Phase> TableReader::phases(const std::string& key, Phase least) const {
-    const std::vector<int> numbers = integers(key, static_cast<int>(least), largest_phase);
+std::vector<Phase> TableReader::phases(const std::string& key, int least) const {
+    const std::vector<int> numbers = integers(key, least, largest_phase);
     return {numbers.begin(), numbers.end()};
 }
 

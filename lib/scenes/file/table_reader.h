@@ -20,7 +20,7 @@ namespace dsc::scenes {
 /// No coordinate, length or count of points in a scene file is larger.
 inline constexpr double largest_coordinate = 1e6;
 inline constexpr std::size_t most_points = 1'000'000;
-inline constexpr Phase largest_phase = 1'000'000;
+inline constexpr int largest_phase = 1'000'000;
 
 /// A number with both bounds, which are included.
 struct Bounds {
@@ -56,10 +56,9 @@ public:
     [[nodiscard]] std::vector<double> numbers(const std::string& key, Bounds bounds = {}) const;
     [[nodiscard]] std::vector<int> integers(const std::string& key, int low, int high) const;
     /// Phases from `least` to `largest_phase`.
-    [[nodiscard]] Phase phase(const std::string& key, Phase least = exterior_phase) const;
+    [[nodiscard]] Phase phase(const std::string& key, int least = 0) const;
     [[nodiscard]] Phase phase_or(Phase otherwise, const std::string& key) const;
-    [[nodiscard]] std::vector<Phase> phases(const std::string& key,
-                                            Phase least = exterior_phase) const;
+    [[nodiscard]] std::vector<Phase> phases(const std::string& key, int least = 0) const;
     [[nodiscard]] Point<double> point(const std::string& key) const;
     [[nodiscard]] Point<double> point_or(const Point<double>& otherwise,
                                          const std::string& key) const;

@@ -52,13 +52,7 @@ void for_each_column(const SeriesRow& row, const std::set<std::string>& operatio
 } // namespace
 
 std::vector<Measure> series_measures() {
-    constexpr std::array<std::string_view, 6> cheap{"area",   "area_exact",  "sd",
-                                                    "sd_rel", "min_quality", "min_angle_deg"};
-    std::vector<Measure> measures = default_measures();
-    std::erase_if(measures, [&](const Measure& one) {
-        return std::ranges::find(cheap, std::string_view(one.name)) == cheap.end();
-    });
-    return measures;
+    return select_measures({"area", "area_exact", "sd", "sd_rel", "min_quality", "min_angle_deg"});
 }
 
 std::string series_to_csv(const std::vector<SeriesRow>& rows) {

@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
-#include "fluid/fluid.h"
 #include "fluid/solve/solve_report.h"
 #include "measures/phases.h"
 
@@ -17,6 +16,11 @@ namespace dsc::scenes {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+FluidMotion with_threads(FluidMotion motion, std::uint32_t threads) {
+    motion.options.threads = threads;
+    return motion;
+}
 
 bool is_at_wall(const Complex<double>& complex, Phase phase) {
     const PhaseReport report = measure_phases(complex);
@@ -161,16 +165,13 @@ void archive(Archive& archive, FluidMoment& m) {
 }
 
 FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads)
-    : complex_(complex), motion_(*setup.fluid), phase_(setup.measured.value_or(1)) {
-    motion_.options.threads = threads;
-    fluid_ = std::make_unique<Fluid>(complex, motion_.options);
+    : complex_(complex), motion_(with_threads(*setup.fluid, threads)),
+      phase_(setup.measured.value_or(1)), fluid_(complex, motion_.options) {
     look();
 }
 
-FluidRun::~FluidRun() = default;
-
 void FluidRun::check_pairs_meet() const {
-    const std::vector<FrozenEdge>& interface = fluid_->field().mesh.interface;
+    const std::vector<FrozenEdge>& interface = fluid_.field().mesh.interface;
     for (const FluidTension& pair : motion_.options.tensions) {
         const bool meet = std::ranges::any_of(interface, [&](const FrozenEdge& edge) {
             return &pair_of(motion_.options, edge.left, edge.right) == &pair;
@@ -189,19 +190,19 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
     // A step that fails leaves a mesh without its flow, so that the state before is kept.
     Archive before;
     simulation.archive(before);
-    fluid_->archive(before);
+    fluid_.archive(before);
     const auto go_back = [&] {
         Archive state(before.bytes(), "the state before the step");
         simulation.archive(state);
-        fluid_->archive(state);
+        fluid_.archive(state);
     };
     const auto fail = [&](const std::exception& error) {
         go_back();
-        failure_ = "after time " + std::to_string(fluid_->time()) + ": " + error.what();
+        failure_ = "after time " + std::to_string(fluid_.time()) + ": " + error.what();
         return StepReport{};
     };
     try {
-        const FluidStep report = fluid_->advance(simulation, dt);
+        const FluidStep report = fluid_.advance(simulation, dt);
         if (report.moved.gave_up != GiveUp::none) {
             go_back();
             StepReport undone;
@@ -223,11 +224,11 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
 }
 
 void FluidRun::look() {
-    const FluidField& field = fluid_->field();
+    const FluidField& field = fluid_.field();
     const bool is_closed = !is_at_wall(complex_, phase_);
     const CubicOutline outline = is_closed ? cubic_outline(complex_, phase_) : CubicOutline{};
     moments_.push_back(
-        {.time = fluid_->time(),
+        {.time = fluid_.time(),
          .circularity = is_closed ? outline.circularity() : unknown,
          .centre = is_closed ? outline.centroid.y() : centre_of(field, phase_),
          .rise_velocity = mean_velocity(field, phase_).y(),
@@ -236,9 +237,9 @@ void FluidRun::look() {
          .pressure_jump = mean_pressure(field, phase_) - mean_pressure(field, exterior_phase),
          .energy = energy(field, motion_.options).sum(),
          .amplitude = motion_.wave ? amplitude_of(field, *motion_.wave) : unknown,
-         .exact_amplitude = motion_.wave ? motion_.wave->exact(fluid_->time()) : unknown,
+         .exact_amplitude = motion_.wave ? motion_.wave->exact(fluid_.time()) : unknown,
          .neck = motion_.neck ? neck_of(field) : unknown,
-         .exact_neck = motion_.neck ? motion_.neck(fluid_->time()) : unknown});
+         .exact_neck = motion_.neck ? motion_.neck(fluid_.time()) : unknown});
 }
 
 Figures FluidRun::now() const {
@@ -283,7 +284,7 @@ Figures FluidRun::figures() const {
 }
 
 void FluidRun::put_into(std::vector<VtuArray>& arrays) const {
-    const FluidField& field = fluid_->field();
+    const FluidField& field = fluid_.field();
     const std::uint32_t count = field.mesh.vertex_bound;
     std::vector<double> velocity(2 * std::size_t{count}, 0);
     for (std::uint32_t v = 0; v < count; ++v) {
@@ -314,7 +315,7 @@ void FluidRun::put_into(std::vector<VtuArray>& arrays) const {
 }
 
 void FluidRun::archive(Archive& archive) {
-    fluid_->archive(archive);
+    fluid_.archive(archive);
     archive(failure_, moments_, solve_s_, assembly_s_, dsc_s_);
     archive.expect(!moments_.empty(), "holds a fluid that was never looked at");
 }

@@ -6,15 +6,11 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/io/pictures.h"
+#include "fluid/fluid.h"
 #include "measures/figures.h"
 #include "scenes/scene.h"
 
-#include <memory>
 #include <vector>
-
-namespace dsc {
-class Fluid;
-} // namespace dsc
 
 namespace dsc::scenes {
 
@@ -39,11 +35,6 @@ class FluidRun {
 public:
     /// The complex must outlive it. Throws InputError where `Fluid` does.
     FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads);
-    ~FluidRun();
-    FluidRun(const FluidRun&) = delete;
-    FluidRun& operator=(const FluidRun&) = delete;
-    FluidRun(FluidRun&&) = delete;
-    FluidRun& operator=(FluidRun&&) = delete;
 
     /// Throws InputError if there is a tension of two phases that do not meet now: to be called
     /// where the topology is kept, so that they never will.
@@ -74,7 +65,7 @@ private:
     const Complex<double>& complex_;
     FluidMotion motion_;
     Phase phase_;
-    std::unique_ptr<Fluid> fluid_;
+    Fluid fluid_;
     std::string failure_;
     std::vector<FluidMoment> moments_;
     double solve_s_ = 0;

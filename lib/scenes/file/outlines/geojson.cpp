@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
+#include <utility>
 
 namespace dsc::scenes {
 
@@ -17,37 +17,40 @@ using GeoJson = nlohmann::json;
 /// Collections within collections.
 constexpr int deepest_collection = 8;
 
+/// The array that this is; throws an exception of the JSON library for anything else.
+const GeoJson::array_t& array_in(const GeoJson& json) {
+    return json.get_ref<const GeoJson::array_t&>();
+}
+
 class GeoJsonReader {
 public:
     explicit GeoJsonReader(const std::string& where) : where_(where) {}
 
     void read(const GeoJson& object, int depth = 0) {
-        const std::string type = object.is_object() ? object.value("type", GeoJson()).dump() : "";
+        const std::string type = object.at("type").get<std::string>();
         if (depth > deepest_collection) {
             refuse("collections too deep", type, "at most 8 levels");
         }
-        if (type == "\"FeatureCollection\"") {
-            for (const GeoJson& feature : list(object, "features")) {
+        if (type == "FeatureCollection") {
+            for (const GeoJson& feature : array_in(object.at("features"))) {
                 read(feature, depth + 1);
             }
-        } else if (type == "\"Feature\"") {
-            read(member(object, "geometry"), depth + 1);
-        } else if (type == "\"GeometryCollection\"") {
-            for (const GeoJson& geometry : list(object, "geometries")) {
+        } else if (type == "Feature") {
+            read(object.at("geometry"), depth + 1);
+        } else if (type == "GeometryCollection") {
+            for (const GeoJson& geometry : array_in(object.at("geometries"))) {
                 read(geometry, depth + 1);
             }
-        } else if (type == "\"MultiPolygon\"") {
-            for (const GeoJson& polygon : list(object, "coordinates")) {
+        } else if (type == "MultiPolygon") {
+            for (const GeoJson& polygon : array_in(object.at("coordinates"))) {
                 add_lines(polygon, true);
             }
-        } else if (type == "\"Polygon\"") {
-            add_lines(list(object, "coordinates"), true);
-        } else if (type == "\"MultiLineString\"") {
-            add_lines(list(object, "coordinates"), false);
-        } else if (type == "\"LineString\"") {
-            add_line(list(object, "coordinates"), false);
+        } else if (type == "Polygon" || type == "MultiLineString") {
+            add_lines(object.at("coordinates"), type == "Polygon");
+        } else if (type == "LineString") {
+            add_line(object.at("coordinates"), false);
         } else {
-            refuse("unknown type of geometry", type.empty() ? "no object" : type,
+            refuse("unknown type of geometry", type,
                    "Polygon, MultiPolygon, LineString, MultiLineString, GeometryCollection, "
                    "Feature, FeatureCollection");
         }
@@ -59,50 +62,24 @@ private:
     [[noreturn]] void refuse(const std::string& what, const std::string& value,
                              const std::string& allowed) const {
         throw InputError(
-            {.what = what, .where = where_, .value = excerpt(value), .allowed = allowed});
-    }
-
-    [[nodiscard]] const GeoJson& member(const GeoJson& object, const char* name) const {
-        const auto found = object.find(name);
-        if (found == object.end()) {
-            refuse("member missing", "none", name);
-        }
-        return *found;
-    }
-
-    [[nodiscard]] const GeoJson& list(const GeoJson& object, const char* name) const {
-        const GeoJson& value = member(object, name);
-        if (!value.is_array()) {
-            refuse("not a list", value.dump(), std::string("a list of ") + name);
-        }
-        return value;
+            {.what = what, .where = where_, .value = quoted_excerpt(value), .allowed = allowed});
     }
 
     void add_lines(const GeoJson& lines, bool is_polygon) {
-        if (!lines.is_array()) {
-            refuse("not a list of lines", lines.dump(), "a list");
-        }
-        for (const GeoJson& line : lines) {
+        for (const GeoJson& line : array_in(lines)) {
             add_line(line, is_polygon);
         }
     }
 
     void add_line(const GeoJson& positions, bool is_closed) {
-        if (!positions.is_array()) {
-            refuse("not a list of positions", positions.dump(), "a list");
-        }
         std::vector<Point<double>> points;
-        for (const GeoJson& position : positions) {
-            const bool is_pair = position.is_array() && position.size() >= 2 &&
-                                 position[0].is_number() && position[1].is_number();
-            const double x = is_pair ? position[0].get<double>() : NAN;
-            const double y = is_pair ? position[1].get<double>() : NAN;
-            if (!(std::abs(x) <= largest_coordinate) || !(std::abs(y) <= largest_coordinate) ||
-                ++count_ > most_points) {
-                refuse(count_ > most_points ? "too many positions" : "not a position",
-                       position.dump(), "[x, y] from -1e6 to 1e6, at most 1000000 of them");
+        for (const GeoJson& position : array_in(positions)) {
+            const Point<double> p(position.at(0).get<double>(), position.at(1).get<double>());
+            if (!(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count_ > most_points) {
+                refuse("bad position", position.dump(),
+                       "[x, y] from -1e6 to 1e6, at most 1000000 of them");
             }
-            points.emplace_back(x, y);
+            points.push_back(p);
         }
         pieces.push_back(piece_of(std::move(points), is_closed));
     }
@@ -114,17 +91,15 @@ private:
 } // namespace
 
 std::vector<Piece> read_geojson(const std::string& text, const std::string& where) {
-    GeoJson json;
+    GeoJsonReader reader(where);
     try {
-        json = GeoJson::parse(text);
+        reader.read(GeoJson::parse(text));
     } catch (const GeoJson::exception& error) {
-        throw InputError({.what = "no JSON",
+        throw InputError({.what = "no GeoJSON",
                           .where = where,
                           .value = excerpt(error.what()),
-                          .allowed = "GeoJSON"});
+                          .allowed = "geometries as in RFC 7946"});
     }
-    GeoJsonReader reader(where);
-    reader.read(json);
     return std::move(reader.pieces);
 }
 
