@@ -10,52 +10,32 @@
 
 namespace dsc::scenes {
 
-namespace {
-
-void add_area(const Outline& outline, CompensatedSum& doubled) {
-    for (std::size_t i = 2; i < outline.size(); ++i) {
-        const Point<double> a = outline[i - 1] - outline[0];
-        const Point<double> b = outline[i] - outline[0];
-        doubled.add_product(a.x(), b.y());
-        doubled.add_product(-a.y(), b.x());
-    }
-}
-
-void add_perimeter(const Outline& outline, CompensatedSum& length) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        const Point<double> edge = outline[i + 1 == outline.size() ? 0 : i + 1] - outline[i];
-        length.add(std::hypot(edge.x(), edge.y()));
-    }
-}
-
-} // namespace
-
-double signed_area(const Outline& outline) {
-    CompensatedSum doubled;
-    add_area(outline, doubled);
-    return 0.5 * doubled.value();
-}
+double signed_area(const Outline& outline) { return signed_area(std::span(&outline, 1)); }
 
 double signed_area(std::span<const Outline> outlines) {
     CompensatedSum doubled;
     for (const Outline& outline : outlines) {
-        add_area(outline, doubled);
+        for (std::size_t i = 2; i < outline.size(); ++i) {
+            const Point<double> a = outline[i - 1] - outline[0];
+            const Point<double> b = outline[i] - outline[0];
+            doubled.add_product(a.x(), b.y());
+            doubled.add_product(-a.y(), b.x());
+        }
     }
     return 0.5 * doubled.value();
 }
 
 double area_drift(double area, double reference) { return (area - reference) / reference; }
 
-double perimeter(const Outline& outline) {
-    CompensatedSum length;
-    add_perimeter(outline, length);
-    return length.value();
-}
+double perimeter(const Outline& outline) { return perimeter(std::span(&outline, 1)); }
 
 double perimeter(std::span<const Outline> outlines) {
     CompensatedSum length;
     for (const Outline& outline : outlines) {
-        add_perimeter(outline, length);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const Point<double> edge = outline[i + 1 == outline.size() ? 0 : i + 1] - outline[i];
+            length.add(std::hypot(edge.x(), edge.y()));
+        }
     }
     return length.value();
 }

@@ -11,15 +11,6 @@ namespace dsc::scenes {
 
 namespace {
 
-VoronoiDiagram diagram_of(const Rectangle& domain, std::span<const Point<double>> sites,
-                          const VoronoiOptions& options) {
-    require(options.shortest >= 0 && std::isfinite(options.shortest), "shortest", options.shortest,
-            "a finite number, 0 or above");
-    VoronoiDiagram diagram = voronoi_diagram(domain, sites);
-    return options.shortest > 0 ? without_short_edges(std::move(diagram), options.shortest)
-                                : diagram;
-}
-
 // SplitMix64 by G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
 // generators" (2014), and its 53 upper bits as a fraction.
 class Fractions {
@@ -42,10 +33,15 @@ private:
 } // namespace
 
 std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point<double>> sites,
-                                  const VoronoiOptions& options) {
+                                  double shortest) {
     require(sites.size() >= 2, "number of sites", static_cast<double>(sites.size()),
             "2 or more: curves name the phases, and one cell has none");
-    const VoronoiDiagram diagram = diagram_of(domain, sites, options);
+    require(shortest >= 0 && std::isfinite(shortest), "shortest", shortest,
+            "a finite number, 0 or above");
+    VoronoiDiagram diagram = voronoi_diagram(domain, sites);
+    if (shortest > 0) {
+        diagram = without_short_edges(std::move(diagram), shortest);
+    }
     std::vector<Curve> curves;
     for (std::uint32_t i = 0; i < sites.size(); ++i) {
         const VoronoiCell& cell = diagram.cells[i];
@@ -61,17 +57,6 @@ std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point
         }
     }
     return curves;
-}
-
-std::vector<Outline> voronoi_cells(const Rectangle& domain, std::span<const Point<double>> sites,
-                                   const VoronoiOptions& options) {
-    const VoronoiDiagram diagram = diagram_of(domain, sites, options);
-    std::vector<Outline> cells;
-    cells.reserve(sites.size());
-    for (const VoronoiCell& cell : diagram.cells) {
-        cells.push_back(diagram.corners_of(cell));
-    }
-    return cells;
 }
 
 std::vector<Point<double>> relaxed_sites(const Rectangle& domain,

@@ -57,7 +57,7 @@ inline constexpr std::uint32_t domain_corners = 4;
                                              std::span<const Point<double>> sites);
 
 /// Contracts edges, and pieces of the domain's sides, that are shorter than `shortest`, the
-/// shortest first, as `VoronoiOptions` says; then edges that this has made too short, until nothing
+/// shortest first, as `voronoi_curves` says; then edges that this has made too short, until nothing
 /// changes. O(n log n) for each of a few rounds.
 [[nodiscard]] VoronoiDiagram without_short_edges(VoronoiDiagram diagram, double shortest);
 

@@ -216,8 +216,8 @@ TEST_F(Checkpoints, TheScalarTypeIsTold) {
     const scenes::Setup setup = scene.prepare(parameters);
     auto in_double = first_complex<double>(setup, parameters);
     auto in_float = first_complex<float>(setup, parameters);
-    Simulation<double> one(in_double, scene_options<double>(parameters));
-    Simulation<float> other(in_float, scene_options<float>(parameters));
+    Simulation<double> one(in_double, scene_options<double>(setup, parameters));
+    Simulation<float> other(in_float, scene_options<float>(setup, parameters));
     Archive archive;
     one.archive(archive);
     Archive again(archive.bytes(), "here");
@@ -237,8 +237,8 @@ TEST_F(Checkpoints, WhatIsNoComplexIsRefused) {
     const auto read_after = [&](auto damage) -> std::string {
         auto complex = first_complex<double>(setup, parameters);
         auto other = complex;
-        Simulation<double> simulation(complex, scene_options<double>(parameters));
-        Simulation<double> reader(other, scene_options<double>(parameters));
+        Simulation<double> simulation(complex, scene_options<double>(setup, parameters));
+        Simulation<double> reader(other, scene_options<double>(setup, parameters));
         damage(complex);
         Archive archive;
         simulation.archive(archive);

@@ -32,7 +32,7 @@ namespace dsc::scenes {
 [[nodiscard]] Scene scaling_scene(Scene about, double h);
 /// One rigid turn about the middle of the domain, in `steps` steps.
 [[nodiscard]] Scene rotation_scene(Scene about, double h, int steps,
-                                   std::function<std::vector<Outline>(double h)> outlines);
+                                   std::function<Outline(double h)> outline);
 
 /// A curve that a flow takes away and back: `steps` is the number of steps each way.
 [[nodiscard]] Scene there_and_back_scene(Scene about, double h, double dt, int steps,

@@ -95,7 +95,7 @@ std::uint32_t count_of(const Parameters& p, double diameter) {
 
 std::vector<dsc::Curve> network(const Parameters& p, std::uint32_t count, int rounds) {
     const auto sites = relaxed_sites({}, random_sites({}, count, 1), rounds);
-    return voronoi_curves({}, sites, {.shortest = shortest * p.h});
+    return voronoi_curves({}, sites, shortest * p.h);
 }
 
 Setup voronoi_grains(const Parameters& p) {

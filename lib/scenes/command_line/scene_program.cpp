@@ -190,15 +190,6 @@ void check_usage(const Arguments& arguments) {
         refuse("nothing is written in between", "--every", "it alone",
                "with --series, --frames or --checkpoint");
     }
-    if (arguments.pictures && arguments.run.frames.folder.empty()) {
-        refuse("there are no frames to draw", "--pictures", "it alone", "with --frames");
-    }
-    if (!arguments.run.frames.times.empty() && arguments.run.frames.folder.empty()) {
-        refuse("nothing is written at these times", "--at", "it alone", "with --frames");
-    }
-    if (arguments.edits && arguments.resume) {
-        refuse("a log of edits begins with the run", "--edits", "with --resume", "run SCENE");
-    }
     const auto check = [](const auto& path, const char* option) {
         if (path) {
             check_writable(*path, option);
@@ -310,24 +301,29 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->add_option("--threads", arguments.threads,
                      "at most so many threads: fewer where more bring nothing (default 1)")
         ->check(CLI::Range(1, 1024));
-    run_command->add_option("--frames", arguments.run.frames.folder,
-                            "folder for .vtu and .pvd files: about nine frames, unless --every or "
-                            "--at says which");
+    auto* frames =
+        run_command->add_option("--frames", arguments.run.frames.folder,
+                                "folder for .vtu and .pvd files: about nine frames, unless --every "
+                                "or --at says which");
     run_command
         ->add_option("--at", arguments.run.frames.times,
                      "times of frames, with commas between them: each is written after the first "
                      "step that reaches it")
         ->delimiter(',')
-        ->allow_extra_args(false);
-    run_command->add_option("--pictures", arguments.pictures,
-                            "draw each frame (.svg): layers with commas between them, of phases, "
-                            "quality, targets or submeshes, and of edges, interface, events");
+        ->allow_extra_args(false)
+        ->needs(frames);
+    run_command
+        ->add_option("--pictures", arguments.pictures,
+                     "draw each frame (.svg): layers with commas between them, of phases, "
+                     "quality, targets or submeshes, and of edges, interface, events")
+        ->needs(frames);
     run_command->add_option(
         "--outlines", arguments.outlines,
         "file for the phases at the end, as polygons in GeoJSON; with --frames, "
         "those of each frame beside it as well");
-    run_command->add_option("--edits", arguments.edits,
-                            "file for the log of edits, which replays to the same mesh");
+    auto* edits = run_command->add_option("--edits", arguments.edits,
+                                          "file for the log of edits from the start of the run, "
+                                          "which replays to the same mesh");
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
                             "file for the changes of topology, one JSON object a line");
@@ -351,7 +347,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                      "a checkpoint, in place of a scene: goes on to the same bits. It knows the "
                      "scene, its keys and the strategy; files that a scene file names are read "
                      "again. What else is to be written has to be asked for again")
-        ->excludes(settings, strategy, submeshes, angle);
+        ->excludes(settings, strategy, submeshes, angle, edits);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
     describe_command->add_option("scene", arguments.scene, "a name from the list")->required();

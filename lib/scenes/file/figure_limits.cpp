@@ -82,20 +82,10 @@ std::vector<FigureLimit> read_limits(const TableReader& reader) {
     return limits;
 }
 
-Measured measured_by(const std::vector<Measure>& measures, bool measures_shape,
-                     const Setup& setup) {
-    return {.measures = measures,
-            .has_exact_shape = measures_shape && setup.exact,
-            .has_half = setup.half_step.has_value(),
-            .has_value = setup.value.has_value(),
-            .knows_shape_half = [&setup] {
-                return !std::isnan(setup.exact(setup.half_step.value() * setup.dt).area);
-            }};
-}
-
-std::string why_missing(const std::string& figure, const Measured& measured) {
+std::string why_missing(const std::string& figure, const Measured& measured, const Setup& setup,
+                        bool is_quick) {
     if (figure == kept_value) {
-        return measured.has_value ? "" : "the scene keeps no value at its vertices";
+        return setup.value ? "" : "the scene keeps no value at its vertices";
     }
     const std::string stem = figure.substr(0, figure.find('.'));
     const bool is_half = stem.ends_with(at_half);
@@ -107,20 +97,22 @@ std::string why_missing(const std::string& figure, const Measured& measured) {
     if (measure == measured.measures.end()) {
         return "the measure " + name + " is not taken";
     }
-    if (measure->needs == Needs::exact_shape && !measured.has_exact_shape) {
+    const bool needs_shape = measure->needs == Needs::exact_shape;
+    if (needs_shape && !(measured.measures_shape && setup.exact)) {
         return "the exact shape is not known, or not measured against";
     }
-    if (is_half && !measured.has_half) {
+    if (is_half && !setup.half_step) {
         return "the scene has no half_step";
     }
-    const bool is_unknown = is_half && measure->needs == Needs::exact_shape &&
-                            measured.knows_shape_half && !measured.knows_shape_half();
+    const bool is_unknown = is_half && needs_shape && !is_quick &&
+                            std::isnan(setup.exact(*setup.half_step * setup.dt).area);
     return is_unknown ? "the exact shape is not known half-way" : "";
 }
 
-void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured) {
+void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured,
+                    const Setup& setup) {
     for (const FigureLimit& limit : limits) {
-        const std::string reason = why_missing(limit.figure, measured);
+        const std::string reason = why_missing(limit.figure, measured, setup);
         if (!reason.empty()) {
             throw InputError({.what = "a limit without its measure",
                               .where = limit.where,

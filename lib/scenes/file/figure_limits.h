@@ -7,7 +7,6 @@
 #include "scenes/file/table_reader.h"
 #include "scenes/scene.h"
 
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -30,23 +29,19 @@ struct FigureLimit {
 /// not a finite number.
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 
-/// What a run can tell about its figures.
+/// What a run takes: these measures, and whether those of the exact shape.
 struct Measured {
     const std::vector<Measure>& measures;
-    bool has_exact_shape = true;
-    bool has_half = true;  ///< the moment at which a reversing flow is farthest out
-    bool has_value = true; ///< one that is kept at the vertices
-    std::function<bool()> knows_shape_half{}; ///< at that moment; may take a while
+    bool measures_shape = true;
 };
 
-/// Of a run of this scene. The measures and the setup must outlive it.
-[[nodiscard]] Measured measured_by(const std::vector<Measure>& measures, bool measures_shape,
-                                   const Setup& setup);
-
-/// Why a run has no number for this figure; empty if it has one.
-[[nodiscard]] std::string why_missing(const std::string& figure, const Measured& measured);
+/// Why a run of this setup has no number for the figure; empty if it has one. `is_quick`: without a
+/// look at whether the exact shape is known half-way, which may take a while.
+[[nodiscard]] std::string why_missing(const std::string& figure, const Measured& measured,
+                                      const Setup& setup, bool is_quick = false);
 
 /// Throws InputError for a limit of a figure that the run has no number for.
-void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured);
+void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured,
+                    const Setup& setup);
 
 } // namespace dsc::scenes

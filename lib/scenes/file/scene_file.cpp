@@ -260,7 +260,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     };
     // What only shows when the parts come together is said now.
     const Setup setup = file.scene.prepare(file.scene.defaults);
-    check_measured(file.limits, measured_by(file.measures, file.measures_shape, setup));
+    check_measured(file.limits, {file.measures, file.measures_shape}, setup);
     return file;
 }
 

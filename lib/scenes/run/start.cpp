@@ -60,21 +60,14 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
 }
 
 template <class Real>
-Options<Real> scene_options(const Parameters& parameters) {
+Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
     Options<Real> options;
     options.edge_length = static_cast<Real>(parameters.h);
-    options.sizes.growth = parameters.grade;
     choose_integrator(options, parameters.integrator);
     options.tolerance = parameters.tolerance;
     options.insertion = parameters.insertion;
     options.interface = parameters.interface;
     options.shuffle_seed = parameters.seed;
-    return options;
-}
-
-template <class Real>
-Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
-    auto options = scene_options<Real>(parameters);
     options.sizes = sizes_in<Real>(sizes_of(setup, parameters));
     options.carried_phases = setup.carried;
     options.per_phase = setup.thresholds;
@@ -111,7 +104,6 @@ std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Complex<Real> first_complex(const Setup&, const Parameters&);                         \
-    template Options<Real> scene_options(const Parameters&);                                       \
     template Options<Real> scene_options(const Setup&, const Parameters&);                         \
     template TopologyOptions<Real> topology_options(const Parameters&);                            \
     template std::unique_ptr<Simulation<Real>> make_simulation(                                    \

@@ -18,9 +18,6 @@ namespace dsc::scenes {
 
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters);
-/// Without what the scene itself asks for: fields of sizes.
-template <class Real>
-Options<Real> scene_options(const Parameters& parameters);
 template <class Real>
 Options<Real> scene_options(const Setup& setup, const Parameters& parameters);
 template <class Real>
