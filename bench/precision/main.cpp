@@ -26,7 +26,7 @@ struct Arguments {
     std::string out;
 };
 
-void list_all() {
+int list_all() {
     std::puts("flows:");
     for (const Flow& flow : precision_flows()) {
         std::printf("  %-44s %s; h =", flow.name.c_str(), flow.title.c_str());
@@ -47,6 +47,7 @@ void list_all() {
         }
         std::printf("%s\n", method.step == Method::Step::with_square ? " dt~h^2" : "");
     }
+    return 0;
 }
 
 // The named entries of a table, or all of them, in the order of the table.
@@ -146,6 +147,6 @@ int main(int argc, char** argv) {
         ->allow_extra_args(false);
     run_command->add_flag("--quick", arguments.quick, "without the fine edge lengths");
     run_command->add_option("--out", arguments.out, "folder for the results")->required();
-    return dsc::scenes::list_or_run(app, "dsc_precision", argc, argv, list_all,
-                                    [&] { return run(arguments); });
+    return dsc::scenes::call_command(app, "dsc_precision", argc, argv,
+                                     {{"list", list_all}, {"run", [&] { return run(arguments); }}});
 }

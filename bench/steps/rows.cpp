@@ -4,7 +4,7 @@
 #include "context.h"
 
 #include "dsc/base/error.h"
-#include "scenes/run/usage.h"
+#include "scenes/run/run.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,8 +8,6 @@
 #include "shapes/outline.h"
 
 #include <span>
-#include <string>
-#include <vector>
 
 namespace dsc::scenes {
 

@@ -7,9 +7,6 @@
 #include "dsc/initial/initial_complex.h"
 #include "shapes/outline.h"
 
-#include <array>
-#include <cstdint>
-
 namespace dsc::scenes {
 
 /// A grain of given area on the straight interface between two others, in equilibrium: two arcs of

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <string>
-#include <utility>
 
 namespace dsc::scenes {
 

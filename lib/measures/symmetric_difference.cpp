@@ -52,9 +52,13 @@ bool below(const Active& s, const Active& t) {
 /// The map to coordinates in which no area can underflow. It preserves differences to the last bit:
 /// the offset is subtracted only where that is exact (Sterbenz), and the scale is a power of two.
 struct Frame {
-    double offset_x = 0.0;
-    double offset_y = 0.0;
+    Point<double> offset{0.0, 0.0};
     int exponent = 0;
+
+    [[nodiscard]] Point<double> scaled(const Point<double>& p) const {
+        return {std::ldexp(p.x() - offset.x(), -exponent),
+                std::ldexp(p.y() - offset.y(), -exponent)};
+    }
 };
 
 double offset(double low, double high) {
@@ -67,8 +71,7 @@ Frame frame_of(const Region& first, const Region& second) {
     Frame frame;
     const double extent = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     if (extent > 0.0 && std::isfinite(extent)) {
-        frame.offset_x = offset(box.min().x(), box.max().x());
-        frame.offset_y = offset(box.min().y(), box.max().y());
+        frame.offset = {offset(box.min().x(), box.max().x()), offset(box.min().y(), box.max().y())};
         std::frexp(extent, &frame.exponent);
     }
     return frame;
@@ -77,16 +80,12 @@ Frame frame_of(const Region& first, const Region& second) {
 void append_edges(const Region& region, int number, const Frame& frame, std::vector<Edge>& edges) {
     for (const Outline& outline : region.outlines) {
         for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Point<double>& a = outline[i];
-            const Point<double>& b = outline[i + 1 == outline.size() ? 0 : i + 1];
-            const double ax = std::ldexp(a.x() - frame.offset_x, -frame.exponent);
-            const double ay = std::ldexp(a.y() - frame.offset_y, -frame.exponent);
-            const double bx = std::ldexp(b.x() - frame.offset_x, -frame.exponent);
-            const double by = std::ldexp(b.y() - frame.offset_y, -frame.exponent);
-            if (ax < bx) {
-                edges.push_back({ax, ay, bx, by, number, 1});
-            } else if (bx < ax) {
-                edges.push_back({bx, by, ax, ay, number, -1});
+            const Point<double> a = frame.scaled(outline[i]);
+            const Point<double> b = frame.scaled(outline[i + 1 == outline.size() ? 0 : i + 1]);
+            if (a.x() < b.x()) {
+                edges.push_back({a.x(), a.y(), b.x(), b.y(), number, 1});
+            } else if (b.x() < a.x()) {
+                edges.push_back({b.x(), b.y(), a.x(), a.y(), number, -1});
             }
         }
     }

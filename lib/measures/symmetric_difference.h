@@ -25,8 +25,6 @@ struct OverlapAreas {
     double only_second = 0.0;
     double both = 0.0;
 
-    [[nodiscard]] double first() const { return only_first + both; }
-    [[nodiscard]] double second() const { return only_second + both; }
     [[nodiscard]] double symmetric_difference() const { return only_first + only_second; }
 };
 

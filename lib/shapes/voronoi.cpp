@@ -5,7 +5,6 @@
 #include "shapes/voronoi_diagram.h"
 
 #include <cmath>
-#include <string>
 
 namespace dsc::scenes {
 

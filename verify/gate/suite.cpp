@@ -4,7 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/file/case_reader.h"
 #include "scenes/file/text_file.h"
-#include "scenes/run/usage.h"
+#include "scenes/run/run.h"
 
 #include <algorithm>
 #include <cmath>

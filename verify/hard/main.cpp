@@ -159,7 +159,9 @@ int main(int argc, char** argv) {
         for (const HardCase& one : all_cases()) {
             std::cout << one.name << (one.is_long ? "  (long)" : "") << '\n';
         }
+        return 0;
     };
-    return dsc::scenes::list_or_run(app, "dsc_hard", argc, argv, list_cases,
-                                    [&] { return run(arguments); });
+    return dsc::scenes::call_command(
+        app, "dsc_hard", argc, argv,
+        {{"list", list_cases}, {"run", [&] { return run(arguments); }}});
 }

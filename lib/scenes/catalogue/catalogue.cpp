@@ -37,12 +37,6 @@ const std::vector<Scene>& catalogue() {
     return scenes;
 }
 
-std::vector<Scene> scenes_without_fluid() {
-    std::vector<Scene> scenes = catalogue();
-    std::erase_if(scenes, [](const Scene& one) { return one.prepare(one.defaults).fluid; });
-    return scenes;
-}
-
 const Scene& find_scene(const std::string& name, const std::vector<Scene>& scenes) {
     const auto found = std::ranges::find(scenes, name, &Scene::name);
     if (found == scenes.end()) {

@@ -9,10 +9,6 @@ namespace dsc::scenes {
 /// In the order of the thesis, then fluids.
 [[nodiscard]] const std::vector<Scene>& catalogue();
 
-/// Those of them whose interface moves by a given velocity or by its own shape: every strategy and
-/// both precisions run them, at the cost of the mesh alone.
-[[nodiscard]] std::vector<Scene> scenes_without_fluid();
-
 /// Throws InputError, naming all scenes of the list, if there is none of that name.
 [[nodiscard]] const Scene& find_scene(const std::string& name,
                                       const std::vector<Scene>& scenes = catalogue());

@@ -6,8 +6,6 @@
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
 
-#include <cmath>
-
 namespace dsc::scenes {
 
 namespace {

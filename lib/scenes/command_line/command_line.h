@@ -59,14 +59,4 @@ inline int call_command(CLI::App& app, const std::string& program, int argc,
     }
 }
 
-/// The same for the two commands that every program has; 0 after `list`.
-inline int list_or_run(CLI::App& app, const std::string& program, int argc, const char* const* argv,
-                       const std::function<void()>& list, const std::function<int()>& run) {
-    const auto list_all = [&] {
-        list();
-        return 0;
-    };
-    return call_command(app, program, argc, argv, {{"list", list_all}, {"run", run}});
-}
-
 } // namespace dsc::scenes

@@ -4,8 +4,9 @@
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
-#include "scenes/command_line/scene_source.h"
 #include "scenes/file/describe.h"
+#include "scenes/file/scene_file.h"
+#include "scenes/file/text_file.h"
 #include "scenes/name_list.h"
 #include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
@@ -154,6 +155,38 @@ Strategy strategy_of(const Arguments& arguments) {
         return parse_strategy(*arguments.strategy);
     }
     return arguments.threads ? Strategy::cells : Strategy::sequential;
+}
+
+// A file that cannot be read is bad usage here: its name may be a scene's with an error in it.
+template <class Read>
+auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, Read read) {
+    try {
+        return read();
+    } catch (const FileError& error) {
+        throw InputError({.what = error.what(),
+                          .where = "run",
+                          .value = "'" + name + "'",
+                          .allowed = "a scene file that can be read, or one of " +
+                                     name_list(scenes, &Scene::name)});
+    }
+}
+
+// The text of a scene file; empty for a scene of the list.
+std::string text_of_scene(const std::string& name, const std::vector<Scene>& scenes) {
+    if (!is_scene_file(name)) {
+        (void)find_scene(name, scenes);
+        return {};
+    }
+    return read_or_refuse(name, scenes, [&] { return read_text_file(name); });
+}
+
+// The scene that a command line or a checkpoint names, from the text that it has.
+SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
+    if (!is_scene_file(origin.scene)) {
+        return {.scene = find_scene(origin.scene, scenes)};
+    }
+    return read_or_refuse(origin.scene, scenes,
+                          [&] { return read_scene_text(origin.text, origin.scene, scenes); });
 }
 
 // What the command line asks for.

@@ -43,44 +43,38 @@ bool is_at(double time, double moment, double period) {
     return std::abs(time - moment) <= same_time * period;
 }
 
-ExactFunction back_at(double period, const std::vector<FirstShape>& shapes) {
-    return [period, shapes](double time) {
-        if (!is_at(time, 0, period) && !is_at(time, period, period)) {
-            return unknown_shape();
-        }
-        return together(shapes, [](const ParametricCurve& curve) { return unmoved_shape(curve); });
-    };
-}
-
-ExactFunction carried_by(const Flow& flow, double period, const std::vector<FirstShape>& shapes) {
-    return [flow, period, shapes](double time) {
-        return together(shapes, [&](const ParametricCurve& curve) {
-            const bool is_first = time == 0 || (period > 0 && is_at(time, period, period));
-            return is_first ? unmoved_shape(curve) : advected_shape(curve, flow, time);
-        });
-    };
-}
-
 ExactSource read_back(const TableReader& reader) {
     return [where = reader.where("back")](const Parameters& parameters, const Setup&,
-                                          const std::vector<FirstShape>& shapes) {
-        require(parameters.period > 0, where + ": period", parameters.period,
+                                          const std::vector<FirstShape>& shapes) -> ExactFunction {
+        const double period = parameters.period;
+        require(period > 0, where + ": period", period,
                 "above 0: the time when the flow is back, in [options]");
-        return back_at(parameters.period, shapes);
+        return [period, shapes](double time) {
+            if (!is_at(time, 0, period) && !is_at(time, period, period)) {
+                return unknown_shape();
+            }
+            return together(shapes, [](const auto& curve) { return unmoved_shape(curve); });
+        };
     };
 }
 
 ExactSource read_carried(const TableReader& reader) {
-    return [where = reader.where("carried")](const Parameters& parameters, const Setup& setup,
-                                             const std::vector<FirstShape>& shapes) {
-        if (setup.flow.empty()) {
-            throw InputError({.what = "there is no flow that carries shapes along",
-                              .where = where,
-                              .value = "true",
-                              .allowed = "with a [flow]"});
-        }
-        return carried_by(setup.flow, parameters.period, shapes);
-    };
+    return
+        [where = reader.where("carried")](const Parameters& parameters, const Setup& setup,
+                                          const std::vector<FirstShape>& shapes) -> ExactFunction {
+            if (setup.flow.empty()) {
+                throw InputError({.what = "there is no flow that carries shapes along",
+                                  .where = where,
+                                  .value = "true",
+                                  .allowed = "with a [flow]"});
+            }
+            return [flow = setup.flow, period = parameters.period, shapes](double time) {
+                const bool is_first = time == 0 || (period > 0 && is_at(time, period, period));
+                return together(shapes, [&](const ParametricCurve& curve) {
+                    return is_first ? unmoved_shape(curve) : advected_shape(curve, flow, time);
+                });
+            };
+        };
 }
 
 ExactSource read_exact_circle(const TableReader& circle) {

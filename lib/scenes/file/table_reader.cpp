@@ -6,7 +6,6 @@
 #include "scenes/name_list.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace dsc::scenes {
@@ -118,7 +117,7 @@ template <class Convert>
 auto TableReader::list(const std::string& key, Convert convert, const std::string& allowed) const {
     const toml::array* array = at(key).as_array();
     if (array == nullptr || array->size() > most_points) {
-        refuse(key, "bad value", "a list of at most " + to_text(most_points) + ' ' + allowed);
+        refuse(key, "bad value", "a list of " + allowed + ", at most " + to_text(most_points));
     }
     std::vector<typename decltype(convert(at(key)))::value_type> values;
     for (const toml::node& node : *array) {

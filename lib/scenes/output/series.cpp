@@ -3,11 +3,8 @@
 
 #include "dsc/base/error.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 namespace dsc::scenes {
 

@@ -6,7 +6,6 @@
 #include "measures/interface_outlines.h"
 #include "scenes/run/start.h"
 
-#include <map>
 #include <string>
 
 namespace dsc::scenes {

@@ -14,7 +14,6 @@
 #include "scenes/run/dsc_method.h"
 #include "scenes/run/reference_run.h"
 #include "scenes/run/result_archive.h"
-#include "scenes/run/usage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -102,6 +102,10 @@ struct RunResult {
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
 
+/// Throws InputError for a strategy that cannot do what is asked of it.
+void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,
+                 const RunOptions& options);
+
 /// Throws InputError before anything has run; FileError if a frame or a checkpoint cannot be
 /// written, or if `resume` is damaged or was written by another run. A run that is broken off and
 /// resumed ends with the same bits and counts as one that is not: all but times.

@@ -6,7 +6,6 @@
 #include "thesis/divisions.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace dsc::scenes {
@@ -33,9 +32,13 @@ const std::vector<StrategyEntry>& strategies() {
     return all;
 }
 
+namespace {
+
 const StrategyEntry& entry_of(Strategy strategy) {
     return strategies().at(static_cast<std::size_t>(strategy));
 }
+
+} // namespace
 
 std::string to_string(Strategy strategy) { return entry_of(strategy).name; }
 

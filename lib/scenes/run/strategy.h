@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -46,7 +45,6 @@ struct StrategyEntry {
 
 /// One entry for each strategy, in their order.
 [[nodiscard]] const std::vector<StrategyEntry>& strategies();
-[[nodiscard]] const StrategyEntry& entry_of(Strategy strategy);
 
 [[nodiscard]] std::string to_string(Strategy strategy);
 /// Throws InputError, naming the strategies that exist.

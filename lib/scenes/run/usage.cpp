@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/run/usage.h"
+#include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
 #include "scenes/name_list.h"

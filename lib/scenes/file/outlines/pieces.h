@@ -4,7 +4,6 @@
 
 #include "dsc/base/types.h"
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

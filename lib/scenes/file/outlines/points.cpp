@@ -12,17 +12,15 @@ namespace dsc::scenes {
 
 namespace {
 
-bool is_left_of_crossing(const Point<double>& p, const Point<double>& a, const Point<double>& b) {
-    if ((a.y() > p.y()) == (b.y() > p.y())) {
-        return false;
-    }
-    return p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-}
-
+// By the number of edges on the right of the point.
 bool holds(const std::vector<Point<double>>& polygon, const Point<double>& p) {
     bool inside = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        inside ^= is_left_of_crossing(p, polygon[i], polygon[(i + 1) % polygon.size()]);
+        const Point<double>& a = polygon[i];
+        const Point<double>& b = polygon[(i + 1) % polygon.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y())) {
+            inside ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+        }
     }
     return inside;
 }
