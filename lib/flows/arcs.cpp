@@ -29,10 +29,6 @@ Point<double> out_of(const LocalFrame& frame, const Point<double>& p) {
            p.y() * Point<double>(-frame.axis.y(), frame.axis.x());
 }
 
-bool coincide(const Point<double>& a, const Point<double>& b, double size) {
-    return (a - b).norm() <= same_point * size;
-}
-
 } // namespace
 
 void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactShape& shape) {
@@ -50,7 +46,7 @@ void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactSha
         const Point<double> to = point_on(following, following.begin);
         const double size =
             std::max(arc.centre.norm(), following.centre.norm()) + arc.radius + following.radius;
-        if (!coincide(from, to, size)) {
+        if ((from - to).norm() > same_point * size) {
             outline.push_back(out_of(frame, from));
             shape.area += (from.x() * to.y() - from.y() * to.x()) / 2;
         }

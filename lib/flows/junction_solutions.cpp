@@ -63,13 +63,6 @@ double asymptote(double c) {
     return std::atan(place.p);
 }
 
-LocalFrame frame_of(const Lens& lens) {
-    const double length = lens.axis.norm();
-    require(length > 0 && std::isfinite(length), "length of the axis", length,
-            "finite and above 0");
-    return {lens.centre, lens.axis / length};
-}
-
 void check_theta(double theta) {
     require(theta > 0 && theta < pi / 3, "theta", theta, "above 0 and below pi / 3");
 }
@@ -131,11 +124,14 @@ Part part_of_ray(double theta, double side, double top) {
 ExactShape lens_shape(const Lens& lens) {
     require(lens.area > 0 && std::isfinite(lens.area), "area of the lens", lens.area,
             "finite and above 0");
+    const double length = lens.axis.norm();
+    require(length > 0 && std::isfinite(length), "length of the axis", length,
+            "finite and above 0");
     const double r = std::sqrt(lens.area / (2 * pi / 3 - std::numbers::sqrt3 / 2));
     const Point<double> to(0, r * std::cos(pi / 3)); // the centre of the arc below
     ExactShape shape;
-    append_arcs(frame_of(lens), {{to, r, 7 * pi / 6, 11 * pi / 6}, {-to, r, pi / 6, 5 * pi / 6}},
-                shape);
+    append_arcs({lens.centre, lens.axis / length},
+                {{to, r, 7 * pi / 6, 11 * pi / 6}, {-to, r, pi / 6, 5 * pi / 6}}, shape);
     return shape;
 }
 

@@ -12,22 +12,14 @@ namespace {
 
 // SplitMix64 by G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number
 // generators" (2014), and its 53 upper bits as a fraction.
-class Fractions {
-public:
-    explicit Fractions(std::uint64_t seed) : state_(seed) {}
-
-    double draw() {
-        state_ += 0x9e3779b97f4a7c15U;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-        z ^= z >> 31U;
-        return static_cast<double>(z >> 11U) * 0x1p-53;
-    }
-
-private:
-    std::uint64_t state_;
-};
+double next_fraction(std::uint64_t& state) {
+    state += 0x9e3779b97f4a7c15U;
+    std::uint64_t z = state;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+    z ^= z >> 31U;
+    return static_cast<double>(z >> 11U) * 0x1p-53;
+}
 
 } // namespace
 
@@ -75,10 +67,9 @@ std::vector<Point<double>> random_sites(const Rectangle& domain, std::size_t cou
                                         std::uint64_t seed) {
     std::vector<Point<double>> sites;
     sites.reserve(count);
-    Fractions fractions(seed);
     for (std::size_t i = 0; i < count; ++i) {
-        const double x = fractions.draw();
-        const double y = fractions.draw();
+        const double x = next_fraction(seed);
+        const double y = next_fraction(seed);
         sites.emplace_back(domain.low.x() + x * (domain.high.x() - domain.low.x()),
                            domain.low.y() + y * (domain.high.y() - domain.low.y()));
     }

@@ -6,6 +6,7 @@
 #include "scenes/name_list.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dsc::scenes {
 
@@ -50,6 +51,22 @@ const Scene& find_scene(const std::string& name, const std::vector<Scene>& scene
 
 InterfaceThresholds coarse_interface() {
     return {.longest = 1.4, .shortest = 0.45, .deviation = 0.02};
+}
+
+Setup scheduled(const Parameters& p, double duration, double default_dt) {
+    Setup setup;
+    setup.dt = p.dt > 0 ? p.dt : (p.steps > 0 ? duration / p.steps : default_dt);
+    setup.steps = p.steps;
+    if (setup.steps == 0) {
+        const double count = std::max(1.0, std::round(duration / setup.dt));
+        require(count <= 1e8, "--set dt", setup.dt,
+                "at most 100000000 steps for a duration of " + to_text(duration));
+        setup.steps = static_cast<int>(count);
+        if (p.dt <= 0) {
+            setup.dt = duration / setup.steps; // a whole number of steps ends where the scene ends
+        }
+    }
+    return setup;
 }
 
 } // namespace dsc::scenes
