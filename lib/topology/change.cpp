@@ -14,27 +14,23 @@
 namespace dsc {
 
 template <class Real>
-AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>& options,
-                            Real edge_length, std::span<Suspect<Real>> suspects, double time,
-                            std::vector<Event>& events) {
-    TopologyWork<Real> work{.complex = complex,
-                            .options = options,
-                            .edge_length = edge_length,
-                            .time = time,
-                            .events = events};
-    for (const Suspect<Real>& suspect : suspects) {
-        if (is_held_up(work, suspect.vertex)) {
-            work.held_up.push_back(suspect.vertex);
-        }
-    }
-    std::ranges::sort(work.held_up);
+AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect<Real>> suspects) {
     // Most suspects face no sheet: they count once something else has changed.
     const auto others =
         std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {
             return suspect.is_facing || suspect.is_sharp;
         });
     const std::span<const Suspect<Real>> notable(suspects.begin(), others);
-    const bool has_wide = is_wide(largest_contact(options, edge_length), edge_length);
+    for (std::size_t i = 0; i < suspects.size(); ++i) {
+        const std::uint32_t v = suspects[i].vertex;
+        work.complex.vertices[v].slot = static_cast<std::uint32_t>(i);
+        if (is_held_up(work, v)) {
+            work.held_up.push_back(v);
+        }
+    }
+    std::ranges::sort(work.held_up);
+    const bool has_wide =
+        is_wide(largest_contact(work.options, work.edge_length), work.edge_length);
     if (has_wide) {
         open_wide_films<Real>(work, suspects);
     }
@@ -47,9 +43,7 @@ AreaAccount change_topology(Complex<Real>& complex, const TopologyOptions<Real>&
     return give_back(work);
 }
 
-template AreaAccount change_topology(Complex<double>&, const TopologyOptions<double>&, double,
-                                     std::span<Suspect<double>>, double, std::vector<Event>&);
-template AreaAccount change_topology(Complex<float>&, const TopologyOptions<float>&, float,
-                                     std::span<Suspect<float>>, double, std::vector<Event>&);
+template AreaAccount change_topology(TopologyWork<double>, std::span<Suspect<double>>);
+template AreaAccount change_topology(TopologyWork<float>, std::span<Suspect<float>>);
 
 } // namespace dsc

@@ -10,6 +10,7 @@
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"
+#include "topology/suspicion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,9 @@ struct TopologyWork {
     Real edge_length;
     double time; ///< of the events
     std::vector<Event>& events;
+    /// Something is in the way of a vertex of the interface, or may be.
+    bool has_held_up = true;
+    const InShares& in_shares = one_by_one; ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex);
     /// Vertices of the triangles that have changed hands: some may have too many sectors now.
     std::vector<Vertex> touched = {};

@@ -5,6 +5,7 @@
 #include "topology/contact_check.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dsc {
 
@@ -67,9 +68,13 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     if (notable_.contact == 0) {
         return;
     }
+    const Complex<Real>& complex = between.complex;
     const auto what = [&](std::uint32_t v) {
         const Note note = (*notes_)[Vertex{v}];
         return note.round == round ? note.what & noted_of_star : 0U;
+    };
+    const auto is_held_up = [&](std::uint32_t v) {
+        return (complex.vertices[v].flags & vertex_contact) != 0;
     };
     // Films that are wider than triangles show are looked for from everywhere.
     const bool is_notable = is_wide(notable_.contact, edge_length_) ||
@@ -79,24 +84,34 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     if (!is_notable) {
         return;
     }
-    suspects_.clear();
-    for (const std::uint32_t v : between.interface) {
-        if (const std::uint32_t bits = what(v); bits != 0) {
+    suspects_.resize(between.interface.size());
+    std::array<bool, ranges_of_places> has_held_up{};
+    const auto look = [&](std::size_t range, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::uint32_t v = between.interface[i];
+            const std::uint32_t bits = what(v);
             const NotedPlace<Real>& place = (*places_)[Vertex{v}];
+            has_held_up[range] = has_held_up[range] || is_held_up(v);
             // What is in the way of a vertex may have come to face it since.
-            const bool is_facing = (bits & noted_facing) != 0 ||
-                                   (between.complex.vertices[v].flags & vertex_contact) != 0;
-            suspects_.push_back({.x = place.x,
-                                 .y = place.y,
-                                 .vertex = v,
-                                 .is_thin = (bits & noted_thin) != 0,
-                                 .is_facing = is_facing,
-                                 .is_sharp = (bits & noted_sharp) != 0,
-                                 .is_junction = (bits & noted_junction) != 0});
+            suspects_[i] = {.x = place.x,
+                            .y = place.y,
+                            .vertex = bits != 0 ? v : no_id,
+                            .is_thin = (bits & noted_thin) != 0,
+                            .is_facing = (bits & noted_facing) != 0 || is_held_up(v),
+                            .is_sharp = (bits & noted_sharp) != 0,
+                            .is_junction = (bits & noted_junction) != 0};
         }
-    }
-    area_ += change_topology<Real>(between.complex, options_, edge_length_, suspects_,
-                                   static_cast<double>(between.time), events_);
+    };
+    look_in_ranges(between.in_shares, suspects_.size(), look);
+    std::erase_if(suspects_, [](const auto& suspect) { return suspect.vertex == no_id; });
+    area_ += change_topology<Real>({.complex = between.complex,
+                                    .options = options_,
+                                    .edge_length = edge_length_,
+                                    .time = static_cast<double>(between.time),
+                                    .events = events_,
+                                    .has_held_up = std::ranges::count(has_held_up, true) > 0,
+                                    .in_shares = between.in_shares},
+                                   suspects_);
 }
 
 template <class Real>

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Where the topology may have to change.
+// Where the topology may have to change, and how all of these places are looked at.
 #pragma once
 
+#include "dsc/motion/interface_flow.h"
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
 
 namespace dsc {
 
@@ -20,5 +27,36 @@ struct Suspect {
     bool is_sharp;
     bool is_junction; ///< it turns sharply or has one, and not just between two edges inside
 };
+
+/// The ranges of places that threads share.
+inline constexpr std::size_t ranges_of_places = 16;
+
+/// Calls `look(range, begin, end)` for each range of `count` places, by the threads of the step.
+template <class Look>
+void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& look) {
+    constexpr std::size_t few = 64; // they are done before another thread has begun
+    const auto look_in = [&](std::size_t range) {
+        look(range, count * range / ranges_of_places, count * (range + 1) / ranges_of_places);
+    };
+    (count < few ? one_by_one : in_shares)(ranges_of_places, std::cref(look_in));
+}
+
+/// Appends what there is at the suspects to `found`, in their order: `look(suspect, found)` appends
+/// what it finds at one, and only reads, as several threads look at the same time. No allocation
+/// where nothing is found.
+template <class Real, class Found, class Look>
+void find_at(const InShares& in_shares, std::span<const Suspect<Real>> suspects,
+             std::vector<Found>& found, const Look& look) {
+    std::array<std::vector<Found>, ranges_of_places> parts;
+    look_in_ranges(in_shares, suspects.size(),
+                   [&](std::size_t range, std::size_t begin, std::size_t end) {
+                       for (const auto& suspect : suspects.subspan(begin, end - begin)) {
+                           look(suspect, parts[range]);
+                       }
+                   });
+    for (const auto& part : parts) {
+        found.insert(found.end(), part.begin(), part.end());
+    }
+}
 
 } // namespace dsc

@@ -78,9 +78,9 @@ std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
                                               std::span<const Suspect<Real>> suspects) {
     const Complex<Real>& complex = work.complex;
     std::vector<std::tuple<Real, Real, std::array<Corner, 2>>> found;
-    for (const auto& suspect : suspects) {
+    const auto look = [&](const Suspect<Real>& suspect, auto& chords) {
         if (!complex.is_alive(Vertex{suspect.vertex})) {
-            continue;
+            return;
         }
         for_each_corner(complex, Vertex{suspect.vertex}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
@@ -89,11 +89,12 @@ std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
             }
             const Chord<Real> chord = find_chord(work, sheet);
             if (chord.ray.opposite != no_id) {
-                found.emplace_back(chord.ray.middle.x(), chord.ray.middle.y(),
-                                   std::array{sheet, chord.ray.opposite});
+                chords.emplace_back(chord.ray.middle.x(), chord.ray.middle.y(),
+                                    std::array{sheet, chord.ray.opposite});
             }
         });
-    }
+    };
+    find_at(work.in_shares, suspects, found, look);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::array<Corner, 2>> list;

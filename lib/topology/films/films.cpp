@@ -40,9 +40,6 @@ public:
             return;
         }
         Bridge<Real> bridge{};
-        for (std::size_t i = 0; i < suspects.size(); ++i) {
-            complex_.vertices[suspects[i].vertex].slot = static_cast<std::uint32_t>(i);
-        }
         const std::size_t before = work_.events.size();
         const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {

@@ -352,7 +352,9 @@ private:
 
 template <class Real>
 void land_vertices(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
-    Landing<Real>(work, suspects).run();
+    if (work.has_held_up) {
+        Landing<Real>(work, suspects).run();
+    }
 }
 
 template void land_vertices(TopologyWork<double>&, std::span<const Suspect<double>>);

@@ -42,20 +42,21 @@ private:
     // The half-edges of outlines that leave the vertices, in the order of their places.
     std::vector<Corner> outlines_at(std::span<const Suspect<Real>> suspects) const {
         std::vector<std::tuple<Real, Real, Corner>> found;
-        for (const auto& suspect : suspects) {
+        const auto look = [this](const Suspect<Real>& suspect, auto& outlines) {
             const std::uint32_t v = suspect.vertex;
             if (!suspect.is_sharp || !complex_.is_alive(Vertex{v})) {
-                continue;
+                return;
             }
             (void)find_corner(complex_, Vertex{v}, [&](Corner at) {
                 const Corner c = prev(at); // the half-edge that starts at v
                 if (is_sheet(complex_, c) && may_be_small(at)) {
                     const Point<Real> place = centroid(complex_, Triangle{triangle_of(c)});
-                    found.emplace_back(place.x(), place.y(), c);
+                    outlines.emplace_back(place.x(), place.y(), c);
                 }
                 return false; // all of them, in any order
             });
-        }
+        };
+        find_at(work_.in_shares, suspects, found, look);
         std::ranges::sort(found);
         std::vector<Corner> list;
         for (const auto& one : found) {

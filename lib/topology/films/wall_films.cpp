@@ -40,9 +40,6 @@ public:
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
-        for (std::size_t i = 0; i < suspects_.size(); ++i) {
-            complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
-        }
         do {
             find_chords();
             visit_runs();
@@ -69,9 +66,9 @@ private:
         chords_.clear();
         index_.clear();
         is_refined_ = false;
-        for (const auto& suspect : suspects_) {
+        const auto look = [this](const Suspect<Real>& suspect, auto& found) {
             if (!complex_.is_alive(Vertex{suspect.vertex})) {
-                continue;
+                return;
             }
             for_each_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
                 const Corner leaves = prev(c); // the half-edge that starts at the vertex
@@ -79,12 +76,13 @@ private:
                 if (is_border(across) || !is_sheet(complex_, leaves)) {
                     return;
                 }
-                add_chord(leaves);
+                add_chord(leaves, found);
                 if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
-                    add_chord(across);
+                    add_chord(across, found);
                 }
             });
-        }
+        };
+        find_at(work_.in_shares, suspects_, chords_, look);
         std::ranges::sort(chords_, {}, [this](const WallChord<Real>& chord) {
             const Point<Real> place = centroid(complex_, Triangle{triangle_of(chord.sheet)});
             return std::tuple(place.x(), place.y(), chord.sheet);
@@ -100,9 +98,9 @@ private:
         }
     }
 
-    void add_chord(Corner sheet) {
+    void add_chord(Corner sheet, std::vector<WallChord<Real>>& chords) const {
         if (const FilmRay<Real> ray = ray_of(sheet); ray.wall != no_id) {
-            chords_.push_back({sheet, ray});
+            chords.push_back({sheet, ray});
         }
     }
 

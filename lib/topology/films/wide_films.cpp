@@ -25,9 +25,6 @@ public:
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
-        for (std::size_t i = 0; i < suspects_.size(); ++i) {
-            complex_.vertices[suspects_[i].vertex].slot = static_cast<std::uint32_t>(i);
-        }
         for (const std::vector<Corner>& place : find_thin_places(work_, suspects_)) {
             visit(place);
         }

@@ -88,7 +88,9 @@ inline std::vector<Event> change(Complex<double>& complex,
         suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
     }
     std::vector<Event> events;
-    change_topology<double>(complex, options, 1.0, suspects, 0.0, events);
+    change_topology<double>(
+        {.complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events},
+        suspects);
     EXPECT_EQ(validate(complex).problem, "");
     return events;
 }
