@@ -14,13 +14,13 @@
 namespace dsc {
 
 template <class Real>
-AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect<Real>> suspects) {
+AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect> suspects) {
     // Most suspects face no sheet: they count once something else has changed.
     const auto others =
-        std::partition(suspects.begin(), suspects.end(), [](const Suspect<Real>& suspect) {
+        std::partition(suspects.begin(), suspects.end(), [](const Suspect& suspect) {
             return suspect.is_facing || suspect.is_sharp;
         });
-    const std::span<const Suspect<Real>> notable(suspects.begin(), others);
+    const std::span<const Suspect> notable(suspects.begin(), others);
     for (std::size_t i = 0; i < suspects.size(); ++i) {
         const std::uint32_t v = suspects[i].vertex;
         work.complex.vertices[v].slot = static_cast<std::uint32_t>(i);
@@ -43,7 +43,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect<Real>> su
     return give_back(work);
 }
 
-template AreaAccount change_topology(TopologyWork<double>, std::span<Suspect<double>>);
-template AreaAccount change_topology(TopologyWork<float>, std::span<Suspect<float>>);
+template AreaAccount change_topology(TopologyWork<double>, std::span<Suspect>);
+template AreaAccount change_topology(TopologyWork<float>, std::span<Suspect>);
 
 } // namespace dsc

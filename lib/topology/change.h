@@ -19,6 +19,6 @@ namespace dsc {
 /// of the outline for each film that opens. The threads of the step look for films and small pieces
 /// together; all edits are serial, in the order of their places.
 template <class Real>
-AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect<Real>> suspects);
+AreaAccount change_topology(TopologyWork<Real> work, std::span<Suspect> suspects);
 
 } // namespace dsc

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region of one phase as it is seen from its edges, for changes of the topology. All of this
-// is serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex.
+// The region of one phase as it is seen from its edges, for changes of the topology. What edits is
+// serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex. What
+// only reads is called by several threads at the same time.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -39,6 +40,7 @@ struct TopologyWork {
     bool has_held_up = true;
     const InShares& in_shares = one_by_one; ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex);
+    const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
     /// Vertices of the triangles that have changed hands: some may have too many sectors now.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
@@ -111,6 +113,13 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool is_on_seam(const TopologyWork<Real>& work, std::uint32_t v) {
     return (work.notes[Vertex{v}].what & noted_seam) != 0;
+}
+
+/// Where a suspect was before the sub-step.
+template <class Real>
+[[nodiscard]] Point<Real> place_before(const TopologyWork<Real>& work, std::uint32_t v) {
+    const NotedPlace<Real>& place = work.places[Vertex{v}];
+    return {place.x, place.y};
 }
 
 /// The seam goes on from the vertices of this triangle.

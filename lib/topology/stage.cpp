@@ -90,12 +90,9 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t v = between.interface[i];
             const std::uint32_t bits = what(v);
-            const NotedPlace<Real>& place = (*places_)[Vertex{v}];
             has_held_up[range] = has_held_up[range] || is_held_up(v);
             // What is in the way of a vertex may have come to face it since.
-            suspects_[i] = {.x = place.x,
-                            .y = place.y,
-                            .vertex = bits != 0 ? v : no_id,
+            suspects_[i] = {.vertex = bits != 0 ? v : no_id,
                             .is_thin = (bits & noted_thin) != 0,
                             .is_facing = (bits & noted_facing) != 0 || is_held_up(v),
                             .is_sharp = (bits & noted_sharp) != 0,

@@ -13,12 +13,8 @@
 
 namespace dsc {
 
-/// A vertex of the interface, where it was before the sub-step, and whether the topology may have
-/// to change there.
-template <class Real>
+/// A vertex of the interface, and whether the topology may have to change there.
 struct Suspect {
-    Real x;               ///< before the sub-step
-    Real y;               ///< before the sub-step
     std::uint32_t vertex; ///< its id
     bool is_thin;         ///< a triangle of its star is, or may be
     bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
@@ -44,13 +40,13 @@ void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& lo
 /// Appends what there is at the suspects to `found`, in their order: `look(suspect, found)` appends
 /// what it finds at one, and only reads, as several threads look at the same time. No allocation
 /// where nothing is found.
-template <class Real, class Found, class Look>
-void find_at(const InShares& in_shares, std::span<const Suspect<Real>> suspects,
+template <class Found, class Look>
+void find_at(const InShares& in_shares, std::span<const Suspect> suspects,
              std::vector<Found>& found, const Look& look) {
     std::array<std::vector<Found>, ranges_of_places> parts;
     look_in_ranges(in_shares, suspects.size(),
                    [&](std::size_t range, std::size_t begin, std::size_t end) {
-                       for (const auto& suspect : suspects.subspan(begin, end - begin)) {
+                       for (const Suspect& suspect : suspects.subspan(begin, end - begin)) {
                            look(suspect, parts[range]);
                        }
                    });

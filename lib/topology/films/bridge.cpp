@@ -61,8 +61,9 @@ bool are_ends_of_seam(const TopologyWork<Real>& work, Corner one, Corner other) 
 }
 
 template <class Real>
-bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> suspects,
+bool is_squeezed(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
                  const std::array<Corner, 2>& sheets) {
+    const Complex<Real>& complex = work.complex;
     std::array<Point<Real>, 4> now;
     std::array<Point<Real>, 4> then;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -76,7 +77,7 @@ bool is_squeezed(const Complex<Real>& complex, std::span<const Suspect<Real>> su
             return false; // new, or thin only since: it is asked again after the next sub-step
         }
         now[i] = {record.x, record.y};
-        then[i] = {suspects[record.slot].x, suspects[record.slot].y};
+        then[i] = place_before(work, v);
     }
     return is_squeezed(then, now);
 }
@@ -152,8 +153,8 @@ int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& s
 }
 
 template <class Real>
-bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects,
-                 Triangle t, Bridge<Real>& best) {
+bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspects, Triangle t,
+                 Bridge<Real>& best) {
     const Complex<Real>& complex = work.complex;
     std::array<Corner, 3> sheets{};
     if (sheets_of(complex, t, sheets) != 1) {
@@ -176,7 +177,7 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
         }
         // First what rules out most: nothing is squeezed in a flow that keeps areas.
         if (work.options.opening == Opening::squeezed &&
-            !is_squeezed(complex, suspects, {sheet, opposite})) {
+            !is_squeezed(work, suspects, {sheet, opposite})) {
             continue;
         }
         if (!is_thin(work, u) || !faces(complex, sheet, opposite) ||
@@ -196,13 +197,13 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect<Real>> 
     template Real contact_at(const TopologyWork<Real>&, Corner);                                   \
     template bool faces(const Complex<Real>&, Corner, Corner);                                     \
     template bool are_ends_of_seam(const TopologyWork<Real>&, Corner, Corner);                     \
-    template bool is_squeezed(const Complex<Real>&, std::span<const Suspect<Real>>,                \
+    template bool is_squeezed(const TopologyWork<Real>&, std::span<const Suspect>,                 \
                               const std::array<Corner, 2>&);                                       \
     template bool is_squeezed(const std::array<Point<Real>, 4>&,                                   \
                               const std::array<Point<Real>, 4>&);                                  \
     template bool is_thin(const TopologyWork<Real>&, Triangle);                                    \
     template int sheets_of(const Complex<Real>&, Triangle, std::array<Corner, 3>&);                \
-    template bool find_bridge(const TopologyWork<Real>&, std::span<const Suspect<Real>>, Triangle, \
+    template bool find_bridge(const TopologyWork<Real>&, std::span<const Suspect>, Triangle,       \
                               Bridge<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -34,8 +34,7 @@ template <class Real>
 /// The flow takes area from the film between the two half-edges, or they hold up each other.
 /// `suspects` as in `find_bridge`. O(1).
 template <class Real>
-[[nodiscard]] bool is_squeezed(const Complex<Real>& complex,
-                               std::span<const Suspect<Real>> suspects,
+[[nodiscard]] bool is_squeezed(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
                                const std::array<Corner, 2>& sheets);
 
 /// The same for two sheets that go from the first point to the second, and from the third to the
@@ -52,11 +51,10 @@ template <class Real>
 template <class Real>
 int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& sheets);
 
-/// The thinner of the bridges of a thin triangle, if the film is to open there. `suspects`: where
-/// vertices were before the sub-step; `VertexRecord::slot` of each is its index there. O(degrees).
+/// The thinner of the bridges of a thin triangle, if the film is to open there. `suspects`: of
+/// the change; `VertexRecord::slot` of each is its index there. O(degrees).
 template <class Real>
-[[nodiscard]] bool find_bridge(const TopologyWork<Real>& work,
-                               std::span<const Suspect<Real>> suspects, Triangle t,
-                               Bridge<Real>& best);
+[[nodiscard]] bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
+                               Triangle t, Bridge<Real>& best);
 
 } // namespace dsc

@@ -75,23 +75,22 @@ private:
 // The sheets of all chords, each once, in the order of their places.
 template <class Real>
 std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
-                                              std::span<const Suspect<Real>> suspects) {
+                                              std::span<const Suspect> suspects) {
     const Complex<Real>& complex = work.complex;
     std::vector<std::tuple<Real, Real, std::array<Corner, 2>>> found;
-    const auto look = [&](const Suspect<Real>& suspect, auto& chords) {
+    const auto look = [&](const Suspect& suspect, auto& chords) {
         if (!complex.is_alive(Vertex{suspect.vertex})) {
             return;
         }
-        for_each_corner(complex, Vertex{suspect.vertex}, [&](Corner at) {
+        (void)find_corner(complex, Vertex{suspect.vertex}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
-            if (!is_sheet(complex, sheet)) {
-                return;
-            }
-            const Chord<Real> chord = find_chord(work, sheet);
+            const Chord<Real> chord =
+                is_sheet(complex, sheet) ? find_chord(work, sheet) : Chord<Real>{};
             if (chord.ray.opposite != no_id) {
                 chords.emplace_back(chord.ray.middle.x(), chord.ray.middle.y(),
                                     std::array{sheet, chord.ray.opposite});
             }
+            return false; // all of them, in any order
         });
     };
     find_at(work.in_shares, suspects, found, look);
@@ -132,7 +131,7 @@ Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
 
 template <class Real>
 std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work,
-                                                  std::span<const Suspect<Real>> suspects) {
+                                                  std::span<const Suspect> suspects) {
     const auto chords = all_chords(work, suspects);
     std::unordered_map<Corner, std::size_t> index;
     for (std::size_t i = 0; i < chords.size(); ++i) {
@@ -183,7 +182,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
     template Real wide_contact_at(const TopologyWork<Real>&, Corner);                              \
     template Chord<Real> find_chord(const TopologyWork<Real>&, Corner);                            \
     template std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>&,          \
-                                                               std::span<const Suspect<Real>>);    \
+                                                               std::span<const Suspect>);          \
     template Connection connection_of(const TopologyWork<Real>&, const Chord<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -30,8 +30,8 @@ template <class Real>
 /// half-edges, and of those that see each other, belong to one place. In an order that depends only
 /// on where they lie. O(suspects * contact / edge length).
 template <class Real>
-[[nodiscard]] std::vector<std::vector<Corner>>
-find_thin_places(const TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+[[nodiscard]] std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work,
+                                                                std::span<const Suspect> suspects);
 
 /// How the two sheets of a chord are connected along the outline.
 struct Connection {

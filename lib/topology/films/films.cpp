@@ -29,12 +29,12 @@ public:
         most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
     }
 
-    void run(std::span<const Suspect<Real>> suspects, std::span<const Suspect<Real>> notable) {
+    void run(std::span<const Suspect> suspects, std::span<const Suspect> notable) {
         // Which stars face a sheet was seen before anything changed.
         if (work_.touched.empty()) {
-            find_near(notable, &Suspect<Real>::is_facing);
+            find_near(notable, &Suspect::is_facing);
         } else {
-            find_near(suspects, &Suspect<Real>::is_thin);
+            find_near(suspects, &Suspect::is_thin);
         }
         if (near_.empty()) {
             return;
@@ -52,7 +52,7 @@ public:
         }
         // Seams of earlier events, whose sheets have come closer since, and of those just now.
         if (work_.events.size() != before) {
-            find_near(suspects, &Suspect<Real>::is_thin);
+            find_near(suspects, &Suspect::is_thin);
         }
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
         for (const Triangle t : thin_triangles(goes_on)) {
@@ -67,7 +67,7 @@ private:
     // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
     // the other; so has the end of a seam. Nearly no interface vertex has a triangle of this kind
     // before an event makes some.
-    void find_near(std::span<const Suspect<Real>> suspects, bool Suspect<Real>::*may_be) {
+    void find_near(std::span<const Suspect> suspects, bool Suspect::*may_be) {
         near_.clear();
         for (const auto& suspect : suspects) {
             if (!(suspect.*may_be) || !complex_.is_alive(Vertex{suspect.vertex})) {
@@ -397,14 +397,12 @@ private:
 } // namespace
 
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects,
-                std::span<const Suspect<Real>> notable) {
+void open_films(TopologyWork<Real>& work, std::span<const Suspect> suspects,
+                std::span<const Suspect> notable) {
     Films<Real>(work).run(suspects, notable);
 }
 
-template void open_films(TopologyWork<double>&, std::span<const Suspect<double>>,
-                         std::span<const Suspect<double>>);
-template void open_films(TopologyWork<float>&, std::span<const Suspect<float>>,
-                         std::span<const Suspect<float>>);
+template void open_films(TopologyWork<double>&, std::span<const Suspect>, std::span<const Suspect>);
+template void open_films(TopologyWork<float>&, std::span<const Suspect>, std::span<const Suspect>);
 
 } // namespace dsc

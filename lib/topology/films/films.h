@@ -31,7 +31,7 @@ namespace dsc {
 /// lie. `notable`: those of them that face a sheet or are sharp; the others count once something
 /// has changed. O(their degrees), plus the length of the outline for each that opens.
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects,
-                std::span<const Suspect<Real>> notable);
+void open_films(TopologyWork<Real>& work, std::span<const Suspect> suspects,
+                std::span<const Suspect> notable);
 
 } // namespace dsc

@@ -27,7 +27,7 @@ constexpr double landing_reach = 1.5;
 template <class Real>
 class Landing {
 public:
-    Landing(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+    Landing(TopologyWork<Real>& work, std::span<const Suspect> suspects)
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
@@ -345,19 +345,19 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh<Real> submesh_{complex_};
-    std::span<const Suspect<Real>> suspects_;
+    std::span<const Suspect> suspects_;
 };
 
 } // namespace
 
 template <class Real>
-void land_vertices(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+void land_vertices(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
     if (work.has_held_up) {
         Landing<Real>(work, suspects).run();
     }
 }
 
-template void land_vertices(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void land_vertices(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void land_vertices(TopologyWork<double>&, std::span<const Suspect>);
+template void land_vertices(TopologyWork<float>&, std::span<const Suspect>);
 
 } // namespace dsc

@@ -16,6 +16,6 @@ namespace dsc {
 /// order that depends only on where they lie; those between them and the end land first. A slit
 /// whose mouth holds a vertex up is filled. O(suspects); O(1) where nothing is held up.
 template <class Real>
-void land_vertices(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+void land_vertices(TopologyWork<Real>& work, std::span<const Suspect> suspects);
 
 } // namespace dsc

@@ -23,7 +23,7 @@ public:
         : work_(work), complex_(work.complex), least_area_(least_area(work)),
           most_triangles_(most_of(least_area_ / (work.edge_length * work.edge_length))) {}
 
-    void run(std::span<const Suspect<Real>> suspects) {
+    void run(std::span<const Suspect> suspects) {
         for (const Corner c : outlines_at(suspects)) {
             if (is_outline(complex_, c)) { // it may have vanished since
                 visit(c);
@@ -40,9 +40,9 @@ private:
     }
 
     // The half-edges of outlines that leave the vertices, in the order of their places.
-    std::vector<Corner> outlines_at(std::span<const Suspect<Real>> suspects) const {
+    std::vector<Corner> outlines_at(std::span<const Suspect> suspects) const {
         std::vector<std::tuple<Real, Real, Corner>> found;
-        const auto look = [this](const Suspect<Real>& suspect, auto& outlines) {
+        const auto look = [this](const Suspect& suspect, auto& outlines) {
             const std::uint32_t v = suspect.vertex;
             if (!suspect.is_sharp || !complex_.is_alive(Vertex{v})) {
                 return;
@@ -204,11 +204,11 @@ private:
 } // namespace
 
 template <class Real>
-void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
     Remnants<Real>(work).run(suspects);
 }
 
-template void remove_remnants(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void remove_remnants(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void remove_remnants(TopologyWork<double>&, std::span<const Suspect>);
+template void remove_remnants(TopologyWork<float>&, std::span<const Suspect>);
 
 } // namespace dsc

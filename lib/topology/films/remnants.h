@@ -13,6 +13,6 @@ namespace dsc {
 /// Removes small pieces that the suspects lie on. O(their degrees): outlines of more than a
 /// few edges are not followed to the end.
 template <class Real>
-void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect> suspects);
 
 } // namespace dsc

@@ -36,7 +36,7 @@ struct WallChord {
 template <class Real>
 class WallFilms {
 public:
-    WallFilms(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+    WallFilms(TopologyWork<Real>& work, std::span<const Suspect> suspects)
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
@@ -66,20 +66,20 @@ private:
         chords_.clear();
         index_.clear();
         is_refined_ = false;
-        const auto look = [this](const Suspect<Real>& suspect, auto& found) {
+        const auto look = [this](const Suspect& suspect, auto& found) {
             if (!complex_.is_alive(Vertex{suspect.vertex})) {
                 return;
             }
-            for_each_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+            (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
                 const Corner leaves = prev(c); // the half-edge that starts at the vertex
                 const Corner across = complex_.twin(leaves);
-                if (is_border(across) || !is_sheet(complex_, leaves)) {
-                    return;
+                if (!is_border(across) && is_sheet(complex_, leaves)) {
+                    add_chord(leaves, found);
+                    if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
+                        add_chord(across, found);
+                    }
                 }
-                add_chord(leaves, found);
-                if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
-                    add_chord(across, found);
-                }
+                return false; // all of them, in any order
             });
         };
         find_at(work_.in_shares, suspects_, chords_, look);
@@ -231,7 +231,7 @@ private:
                 return Point<Real>(-along.dot(from), -cross<Real>(along, from));
             };
             now[i] = of_wall({record.x, record.y});
-            then[i] = of_wall({suspects_[record.slot].x, suspects_[record.slot].y});
+            then[i] = of_wall(place_before(work_, v));
             now[3 - i] = {now[i].x(), 0};
             then[3 - i] = {then[i].x(), 0};
         }
@@ -338,7 +338,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    std::span<const Suspect<Real>> suspects_;
+    std::span<const Suspect> suspects_;
     std::vector<WallChord<Real>> chords_;
     std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
     bool is_refined_ = false;                       ///< the chords are to be found anew
@@ -347,11 +347,11 @@ private:
 } // namespace
 
 template <class Real>
-void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
     WallFilms<Real>(work, suspects).run();
 }
 
-template void open_wall_films(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void open_wall_films(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void open_wall_films(TopologyWork<double>&, std::span<const Suspect>);
+template void open_wall_films(TopologyWork<float>&, std::span<const Suspect>);
 
 } // namespace dsc

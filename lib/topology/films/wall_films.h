@@ -15,6 +15,6 @@ namespace dsc {
 /// Opens films along the wall, among the suspects, in an order that depends only on where they lie.
 /// O(suspects * contact / edge length).
 template <class Real>
-void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect> suspects);
 
 } // namespace dsc

@@ -21,7 +21,7 @@ constexpr double rest_of_wide_film = 1.25;
 template <class Real>
 class WideFilms {
 public:
-    WideFilms(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects)
+    WideFilms(TopologyWork<Real>& work, std::span<const Suspect> suspects)
         : work_(work), complex_(work.complex), suspects_(suspects) {}
 
     void run() {
@@ -77,7 +77,7 @@ private:
         const std::array<Corner, 2> sheets{chord.sheet, chord.ray.opposite};
         return work_.options.opening == Opening::squeezed
                    ? !are_ends_of_seam(work_, sheets[0], sheets[1]) &&
-                         is_squeezed(complex_, suspects_, sheets)
+                         is_squeezed(work_, suspects_, sheets)
                    : !has_end_on_seam(sheets[0]) && !has_end_on_seam(sheets[1]);
     }
 
@@ -91,7 +91,7 @@ private:
     // A small piece with a seam about it is not part of a film, unless the flow squeezes it.
     bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
         return work_.options.opening == Opening::squeezed
-                   ? is_squeezed(complex_, suspects_, {chord.sheet, chord.ray.opposite})
+                   ? is_squeezed(work_, suspects_, {chord.sheet, chord.ray.opposite})
                    : connection.is_far;
     }
 
@@ -206,7 +206,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    std::span<const Suspect<Real>> suspects_;
+    std::span<const Suspect> suspects_;
     std::vector<Chord<Real>> chords_; ///< of the place that is visited
     std::vector<Chord<Real>> seams_;  ///< of these: beside a seam
 };
@@ -214,11 +214,11 @@ private:
 } // namespace
 
 template <class Real>
-void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
     WideFilms<Real>(work, suspects).run();
 }
 
-template void open_wide_films(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void open_wide_films(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void open_wide_films(TopologyWork<double>&, std::span<const Suspect>);
+template void open_wide_films(TopologyWork<float>&, std::span<const Suspect>);
 
 } // namespace dsc

@@ -29,6 +29,6 @@ namespace dsc {
 /// order that depends only on where they lie. O(suspects times the contact distance over the edge
 /// length), plus the length of the outline for each that opens.
 template <class Real>
-void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect> suspects);
 
 } // namespace dsc

@@ -42,7 +42,7 @@ public:
         : work_(work), complex_(work.complex), submesh_(work.complex),
           shortest_(static_cast<Real>(exchange_length) * work.edge_length) {}
 
-    void run(std::span<const Suspect<Real>> suspects) {
+    void run(std::span<const Suspect> suspects) {
         std::vector<Vertex> list;
         // A sharp turn between two edges becomes a junction only where something has changed.
         const bool is_changed = !work_.touched.empty();
@@ -241,7 +241,7 @@ private:
 } // namespace
 
 template <class Real>
-void change_junctions(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects) {
+void change_junctions(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
     Junctions<Real>(work).run(suspects);
 }
 
@@ -261,8 +261,8 @@ void take_touched_apart(TopologyWork<Real>& work) {
     }
 }
 
-template void change_junctions(TopologyWork<double>&, std::span<const Suspect<double>>);
-template void change_junctions(TopologyWork<float>&, std::span<const Suspect<float>>);
+template void change_junctions(TopologyWork<double>&, std::span<const Suspect>);
+template void change_junctions(TopologyWork<float>&, std::span<const Suspect>);
 template void take_touched_apart(TopologyWork<double>&);
 template void take_touched_apart(TopologyWork<float>&);
 

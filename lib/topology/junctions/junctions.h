@@ -21,7 +21,7 @@ namespace dsc {
 /// Exchanges the neighbours of junctions among the suspects, and takes vertices with more sectors
 /// than are stable apart. O(their degrees squared).
 template <class Real>
-void change_junctions(TopologyWork<Real>& work, std::span<const Suspect<Real>> suspects);
+void change_junctions(TopologyWork<Real>& work, std::span<const Suspect> suspects);
 
 /// Takes the vertices of triangles that have changed hands apart where they have more sectors than
 /// are stable: films that opened and pieces that vanished may leave such vertices. O(their degrees

@@ -82,10 +82,12 @@ inline TopologyOptions<double> changing() {
 /// Changes the topology with everything suspected and nothing moving, at an edge length of 1.
 inline std::vector<Event> change(Complex<double>& complex,
                                  const TopologyOptions<double>& options = changing()) {
-    std::vector<Suspect<double>> suspects;
+    std::vector<Suspect> suspects;
+    auto& places = places_of(complex);
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
-        suspects.push_back({p.x(), p.y(), v.id, true, true, true, true});
+        places[v] = {p.x(), p.y()};
+        suspects.push_back({v.id, true, true, true, true});
     }
     std::vector<Event> events;
     change_topology<double>(
