@@ -116,8 +116,8 @@ struct CurvatureWork {
     /// The displacements of the network in dt, in `first`. One step and two of half the length;
     /// their errors of first order cancel in twice the one minus the other, which is still damped
     /// for stiff modes.
-    void extrapolate(std::span<const KeptArea> kept, double dt) {
-        system.begin(network);
+    void extrapolate(std::span<const KeptArea> kept, double dt, const InShares& in_shares) {
+        system.begin(network, in_shares);
         keeper.begin(network, kept);
         const std::span<const Point<double>> start = network.positions;
         step(start, dt, whole);
@@ -173,7 +173,7 @@ InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options) {
             find_network(
                 view, [&](Phase left, Phase right) { return forces_between(options, left, right); },
                 [&](Phase phase) { return wall_energy(options, phase); }, work->network);
-            work->extrapolate(options.kept_areas, static_cast<double>(dt));
+            work->extrapolate(options.kept_areas, static_cast<double>(dt), view.in_shares);
             for (std::size_t i = 0; i < displacements.size(); ++i) {
                 displacements[i] = work->first[i].template cast<Real>();
             }

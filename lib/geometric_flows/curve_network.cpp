@@ -23,16 +23,6 @@ double length_of(const CurveEdge& edge, std::span<const Point<double>> positions
     return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest);
 }
 
-double shortest_in_step(const CurveNetwork& network, double dt) {
-    double fastest = 0; // in area per time
-    for (const CurveEdge& edge : network.edges) {
-        if (edge.forces.drag > 0) {
-            fastest = std::max(fastest, edge.forces.tension / edge.forces.drag);
-        }
-    }
-    return std::max(shortest_share * std::sqrt(dt * fastest), shortest_edge);
-}
-
 Freedom operator+(const Freedom& one, const Freedom& other) {
     return {one.xx + other.xx, one.xy + other.xy, one.yy + other.yy};
 }
@@ -41,11 +31,8 @@ Freedom operator*(double factor, const Freedom& of) {
     return {factor * of.xx, factor * of.xy, factor * of.yy};
 }
 
-/// The projection onto the direction of a vector of this length.
-Freedom along(const Point<double>& way, double length) {
-    const Point<double> t = way / length;
-    return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()};
-}
+/// The projection onto a unit vector.
+Freedom along(const Point<double>& t) { return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()}; }
 
 constexpr Block block_of(const Freedom& f) { return {f.xx, f.xy, f.xy, f.yy}; }
 
@@ -87,7 +74,7 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
     // The library slides vertices along straight boundaries only: any turn is a corner.
     const bool is_straight =
         after.x() * before.y() == after.y() * before.x() && after.dot(before) < 0;
-    return is_straight ? along(after, after.norm()) : nowhere;
+    return is_straight ? along(after / after.norm()) : nowhere;
 }
 
 void lump_drag(const CurveNetwork& network, std::span<const Point<double>> positions,
@@ -100,9 +87,20 @@ void lump_drag(const CurveNetwork& network, std::span<const Point<double>> posit
     }
 }
 
-void CurveSystem::begin(const CurveNetwork& network) {
+void CurveSystem::begin(const CurveNetwork& network, const InShares& in_shares) {
     network_ = &network;
-    solver_.begin(network);
+    solver_.begin(network, in_shares);
+    fastest_ = 0;
+    for (const CurveEdge& edge : network.edges) {
+        if (edge.forces.drag > 0) {
+            fastest_ = std::max(fastest_, edge.forces.tension / edge.forces.drag);
+        }
+    }
+    const std::size_t n = network.positions.size();
+    own_.resize(n);
+    between_.resize(n);
+    diagonal_.resize(n);
+    coupling_.resize(network.edges.size());
 }
 
 void CurveSystem::Drag::add(double more, const Point<double>& outwards) {
@@ -118,7 +116,7 @@ Freedom CurveSystem::Drag::across() const {
     }
     const double length = tangent.norm();
     return length < 1e-3 ? size * anywhere
-                         : size * (rest_of(along(tangent, length)) + drag_along * anywhere);
+                         : size * (rest_of(along(tangent / length)) + drag_along * anywhere);
 }
 
 // For the displacements d: (drag / dt) d + A d = -A x, where A x is the sum of the tensions at each
@@ -128,36 +126,38 @@ Freedom CurveSystem::Drag::across() const {
 // curve resisted motion along it, a junction that slides would stretch those next to it alone, and
 // not balance its tensions: an error of the order of sqrt(dt). Without, all of the curve stretches
 // alike, which is an error of the order of dt.
-void CurveSystem::assemble(std::span<const Point<double>> positions, double dt,
-                           std::vector<Point<double>>& forces) {
-    const std::size_t n = positions.size();
-    own_.assign(n, nowhere);
-    between_.assign(n, {});
-    const double shortest = shortest_in_step(*network_, dt);
-    forces.assign(n, Point<double>(0, 0));
-    coupling_.resize(network_->edges.size());
-    for (std::size_t e = 0; e < network_->edges.size(); ++e) {
+void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>> positions,
+                           double dt, std::span<Point<double>> forces) {
+    const double shortest = std::max(shortest_share * std::sqrt(dt * fastest_), shortest_edge);
+    for (const std::uint32_t i : part.vertices) {
+        own_[i] = nowhere;
+        between_[i] = {};
+        forces[i].setZero();
+    }
+    for (const std::uint32_t e : part.edges) {
         const CurveEdge& edge = network_->edges[e];
         const Point<double> way = positions[edge.to] - positions[edge.from];
         const double length = length_of(edge, positions, shortest);
+        const Point<double> direction = way / length;
         const double stiffness = edge.forces.tension / length;
         const double half = edge.forces.drag * length / (2 * dt);
-        const Freedom normal = rest_of(along(way, length));
-        const auto add_at = [&](std::uint32_t i, const Point<double>& outwards) {
+        const auto add_at = [&](std::uint32_t i, double sign) {
+            if (solver_.is_junction(i) != part.are_junctions) {
+                return; // it belongs to another part
+            }
             Freedom drag = half * anywhere;
             if (network_->is_junction[i] != 0) {
                 // A junction that moves along one of its curves does not move the curve.
-                drag = half * normal;
+                drag = half * rest_of(along(direction));
             } else if (network_->is_between[i] != 0 && edge.forces.tension > 0) {
-                between_[i].add(half, outwards);
+                between_[i].add(half, sign * direction);
                 drag = nowhere;
             }
             own_[i] = own_[i] + (stiffness * anywhere + drag);
+            forces[i] += sign * stiffness * way;
         };
-        add_at(edge.from, way / length);
-        add_at(edge.to, -way / length);
-        forces[edge.from] += stiffness * way;
-        forces[edge.to] -= stiffness * way;
+        add_at(edge.from, 1);
+        add_at(edge.to, -1);
         const Freedom& one = network_->freedom[edge.from];
         const Freedom& other = network_->freedom[edge.to];
         coupling_[e] = {-stiffness, 0, 0, -stiffness};
@@ -165,11 +165,12 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt,
             coupling_[e] = block_of(one) * coupling_[e] * block_of(other);
         }
     }
-    for (const EndForce& end : network_->ends) {
-        forces[end.vertex] += end.force;
+    if (part.are_junctions) {
+        for (const EndForce& end : network_->ends) {
+            forces[end.vertex] += end.force;
+        }
     }
-    diagonal_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (const std::uint32_t i : part.vertices) {
         const Freedom& free = network_->freedom[i];
         diagonal_[i] = block_of(own_[i] + between_[i].across());
         if (!free.is_full()) {
@@ -182,12 +183,18 @@ void CurveSystem::assemble(std::span<const Point<double>> positions, double dt,
 
 void CurveSystem::step(std::span<const Point<double>> positions, double dt,
                        std::vector<Point<double>>& displacements) {
-    assemble(positions, dt, displacements);
-    solver_.factorise(diagonal_, coupling_);
-    solver_.solve(displacements);
+    displacements.resize(positions.size());
+    solver_.for_each_share([&](std::size_t share) {
+        assemble(solver_.part(share), positions, dt, displacements);
+        solver_.eliminate(share, diagonal_, coupling_);
+        solver_.reduce(share, displacements);
+    });
+    assemble(solver_.junctions(), positions, dt, displacements);
+    solver_.factorise_junctions(diagonal_, coupling_);
+    solver_.finish(displacements);
 }
 
-void CurveSystem::respond(std::span<Point<double>> forces) const {
+void CurveSystem::respond(std::span<Point<double>> forces) {
     for (std::size_t i = 0; i < forces.size(); ++i) {
         forces[i] = network_->freedom[i].of(forces[i]);
     }

@@ -76,15 +76,16 @@ void lump_drag(const CurveNetwork& network, std::span<const Point<double>> posit
 /// Implicit Euler steps of one network after the other. Reuses its memory.
 class CurveSystem {
 public:
-    /// Takes up a network, which must live as long as steps of it are made. O(vertices and edges).
-    void begin(const CurveNetwork& network);
+    /// Takes up a network, and the threads that share its curves in a step; both must live as long
+    /// as steps of it are made. O(vertices and edges).
+    void begin(const CurveNetwork& network, const InShares& in_shares);
     /// The displacements in a time dt of vertices that are at `positions`; NaN where the system
     /// cannot be solved. O(vertices).
     void step(std::span<const Point<double>> positions, double dt,
               std::vector<Point<double>>& displacements);
     /// Turns forces on the vertices into the additional displacements in the last step if they had
     /// acted as well. Only after a step that was not NaN. O(vertices).
-    void respond(std::span<Point<double>> forces) const;
+    void respond(std::span<Point<double>> forces);
 
 private:
     /// The drag of a vertex between two edges of a curve.
@@ -95,10 +96,11 @@ private:
         void add(double more, const Point<double>& outwards);
         [[nodiscard]] Freedom across() const;
     };
-    void assemble(std::span<const Point<double>> positions, double dt,
-                  std::vector<Point<double>>& forces);
+    void assemble(const CurvePart& part, std::span<const Point<double>> positions, double dt,
+                  std::span<Point<double>> forces);
 
     const CurveNetwork* network_ = nullptr;
+    double fastest_ = 0;          ///< tension / drag at most, in area per time
     std::vector<Freedom> own_;    ///< by vertex: what its edges add to its block
     std::vector<Drag> between_;   ///< by vertex
     std::vector<Block> diagonal_; ///< by vertex

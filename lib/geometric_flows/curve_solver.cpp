@@ -10,6 +10,11 @@ namespace dsc {
 
 namespace {
 
+/// More shares than most machines have cores: curves, and with them shares, differ in length.
+constexpr std::size_t most_shares = 8;
+/// Vertices of a share at least: about ten microseconds of work.
+constexpr std::size_t least_of_a_share = 256;
+
 /// NaN unless the block, which is symmetric, is positive definite.
 Block inverse_of(const Block& block) {
     const double determinant = block.xx * block.yy - block.xy * block.yx;
@@ -23,16 +28,18 @@ Block inverse_of(const Block& block) {
 
 } // namespace
 
-void CurveSolver::begin(const CurveNetwork& network) {
+void CurveSolver::begin(const CurveNetwork& network, const InShares& in_shares) {
     network_ = &network;
-    for (auto* list : {&junctions_, &bridges_}) {
+    in_shares_ = &in_shares;
+    for (auto* list : {&junctions_, &arms_, &vertices_, &edges_}) {
         list->clear();
     }
-    loops_.clear();
     curves_.clear();
     places_.clear();
+    ends_.clear();
     find_sides();
     find_curves();
+    to_from_.resize(places_.size());
     left_.resize(junctions_.size());
 }
 
@@ -62,22 +69,29 @@ void CurveSolver::find_sides() {
 
 void CurveSolver::find_curves() {
     places_.reserve(number_.size() - junctions_.size());
+    end_share(); // where the first one begins
     is_taken_.assign(network_->edges.size(), 0);
     for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
         const CurveEdge& edge = network_->edges[e];
         const bool starts = number_[edge.from] != no_id;
         const bool ends = number_[edge.to] != no_id;
+        if (starts || ends) {
+            arms_.push_back(e);
+        }
         if (starts && ends) {
-            bridges_.push_back(e);
             is_taken_[e] = 1;
         } else if ((starts || ends) && is_taken_[e] == 0) {
             follow(starts ? edge.from : edge.to, e);
         }
     }
+    first_loop_ = curves_.size();
     for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
         if (is_taken_[e] == 0) {
             follow(network_->edges[e].from, e);
         }
+    }
+    if (ends_.back().curves < curves_.size()) {
+        end_share();
     }
 }
 
@@ -86,27 +100,55 @@ std::uint32_t CurveSolver::far_end(std::uint32_t edge, std::uint32_t vertex) con
     return e.from == vertex ? e.to : e.from;
 }
 
-// Along the curve that leaves the anchor by this edge, to its other anchor.
+// Along the curve that leaves the anchor by this edge, to its other anchor. The curve ends its
+// share if that has vertices enough.
 void CurveSolver::follow(std::uint32_t anchor, std::uint32_t edge) {
-    const bool is_loop = number_[anchor] == no_id;
-    Curve curve{.begin = places_.size(), .end = 0, .from = anchor, .to = anchor, .last = {}};
+    Curve curve{.begin = places_.size(),
+                .end = 0,
+                .from = anchor,
+                .to = anchor,
+                .last = {},
+                .is_loop = number_[anchor] == no_id};
+    if (curve.is_loop) {
+        vertices_.push_back(anchor);
+    }
     std::uint32_t v = far_end(edge, anchor);
     for (; number_[v] == no_id && v != anchor; v = far_end(edge, v)) {
         is_taken_[edge] = 1;
         places_.push_back({.vertex = v, .before = {edge, network_->edges[edge].from == v}});
+        vertices_.push_back(v);
+        edges_.push_back(edge);
         edge = edges_at_[v][edges_at_[v][0] == edge ? 1 : 0];
     }
     is_taken_[edge] = 1;
+    edges_.push_back(edge);
     curve.end = places_.size();
     curve.to = v;
     curve.last = {edge, network_->edges[edge].from == places_.back().vertex};
-    (is_loop ? loops_ : curves_).push_back(curve);
+    curves_.push_back(curve);
+    const std::size_t enough =
+        std::max(least_of_a_share, (number_.size() - junctions_.size()) / most_shares + 1);
+    if (vertices_.size() - ends_.back().vertices >= enough) {
+        end_share();
+    }
+}
+
+std::span<CurveSolver::Curve> CurveSolver::curves_of(std::size_t share) {
+    return {curves_.data() + ends_[share].curves, curves_.data() + ends_[share + 1].curves};
+}
+
+CurvePart CurveSolver::part(std::size_t share) const {
+    const ShareEnd& begin = ends_[share];
+    const ShareEnd& end = ends_[share + 1];
+    return {{vertices_.data() + begin.vertices, vertices_.data() + end.vertices},
+            {edges_.data() + begin.edges, edges_.data() + end.edges},
+            false};
 }
 
 // --- elimination ---------------------------------------------------------------------------------
 
-CurveSolver::Remainder CurveSolver::eliminate(Curve& curve, std::span<const Block> diagonal,
-                                              std::span<const Block> coupling) {
+void CurveSolver::eliminate(Curve& curve, std::span<const Block> diagonal,
+                            std::span<const Block> coupling) {
     const auto block_of = [&](const Side& side) {
         return side.is_first ? coupling[side.edge] : coupling[side.edge].transposed();
     };
@@ -131,40 +173,59 @@ CurveSolver::Remainder CurveSolver::eliminate(Curve& curve, std::span<const Bloc
     const Block factor = curve.to_last.transposed() * last.inverse;
     rest.at_last = -(factor * curve.to_last);
     rest.across = -(factor * last.to_first);
-    return rest;
-}
-
-void CurveSolver::factorise(std::span<const Block> diagonal, std::span<const Block> coupling) {
-    for (Curve& loop : loops_) {
-        const Remainder rest = eliminate(loop, diagonal, coupling);
-        Block left = diagonal[loop.from];
+    curve.rest = rest;
+    if (curve.is_loop) {
+        Block left = diagonal[curve.from];
         for (const Block& more :
              {rest.at_first, rest.at_last, rest.across, rest.across.transposed()}) {
             left += more;
         }
-        loop.cut_inverse = inverse_of(left);
+        curve.cut_inverse = inverse_of(left);
+    }
+}
+
+void CurveSolver::eliminate(std::size_t share, std::span<const Block> diagonal,
+                            std::span<const Block> coupling) {
+    for (Curve& curve : curves_of(share)) {
+        eliminate(curve, diagonal, coupling);
+    }
+}
+
+void CurveSolver::factorise_junctions(std::span<const Block> diagonal,
+                                      std::span<const Block> coupling) {
+    if (junctions_.empty()) {
+        return;
     }
     entries_.clear();
     for (std::size_t i = 0; i < junctions_.size(); ++i) {
         left_[i] = diagonal[junctions_[i]];
     }
-    for (Curve& curve : curves_) {
-        const Remainder rest = eliminate(curve, diagonal, coupling);
+    for (const Curve& curve : between_junctions()) {
         const std::uint32_t from = number_[curve.from];
         const std::uint32_t to = number_[curve.to];
-        left_[from] += rest.at_first;
-        left_[to] += rest.at_last;
+        left_[from] += curve.rest.at_first;
+        left_[to] += curve.rest.at_last;
         if (from == to) {
-            left_[from] += rest.across;
-            left_[from] += rest.across.transposed();
+            left_[from] += curve.rest.across;
+            left_[from] += curve.rest.across.transposed();
         } else {
-            add_block(to, from, rest.across);
+            add_block(to, from, curve.rest.across);
         }
     }
-    for (const std::uint32_t e : bridges_) {
-        add_block(number_[network_->edges[e].from], number_[network_->edges[e].to], coupling[e]);
+    for (const std::uint32_t e : arms_) {
+        const std::uint32_t from = number_[network_->edges[e].from];
+        const std::uint32_t to = number_[network_->edges[e].to];
+        if (from != no_id && to != no_id) {
+            add_block(from, to, coupling[e]);
+        }
     }
-    factorise_junctions();
+    for (std::size_t k = 0; k < junctions_.size(); ++k) {
+        const int i = 2 * static_cast<int>(k);
+        entries_.emplace_back(i, i, left_[k].xx);
+        entries_.emplace_back(i + 1, i, left_[k].yx);
+        entries_.emplace_back(i + 1, i + 1, left_[k].yy);
+    }
+    (void)junction_solver_.factorise(static_cast<Eigen::Index>(2 * junctions_.size()), entries_);
 }
 
 // In the lower half of the matrix.
@@ -179,56 +240,57 @@ void CurveSolver::add_block(std::uint32_t row, std::uint32_t column, const Block
     entries_.emplace_back(i + 1, j + 1, lower.yy);
 }
 
-void CurveSolver::factorise_junctions() {
-    if (junctions_.empty()) {
-        return;
-    }
-    for (std::size_t k = 0; k < junctions_.size(); ++k) {
-        const int i = 2 * static_cast<int>(k);
-        entries_.emplace_back(i, i, left_[k].xx);
-        entries_.emplace_back(i + 1, i, left_[k].yx);
-        entries_.emplace_back(i + 1, i + 1, left_[k].yy);
-    }
-    (void)junction_solver_.factorise(static_cast<Eigen::Index>(2 * junctions_.size()), entries_);
-}
-
 // --- solution ------------------------------------------------------------------------------------
 
-void CurveSolver::solve(std::span<Point<double>> columns) const {
-    const auto forward = [&](const Curve& curve) {
+void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
+    for (const Curve& curve : curves_of(share)) {
+        Point<double> before(0, 0); // the column before, by the inverse there
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
             const Place& place = places_[k];
             Point<double>& own = columns[place.vertex];
             if (k != curve.begin) {
-                const Place& before = places_[k - 1];
-                own -= place.to_before.of(before.inverse.of(columns[before.vertex]));
+                own -= place.to_before.of(before);
             }
-            columns[curve.from] -= place.to_first.transposed().of(place.inverse.of(own));
+            before = place.inverse.of(own);
+            to_from_[k] = place.to_first.transposed().of(before);
         }
-        const Place& last = places_[curve.end - 1];
-        columns[curve.to] -= curve.to_last.transposed().of(last.inverse.of(columns[last.vertex]));
-    };
-    const auto backward = [&](const Curve& curve) {
-        Point<double> after = curve.to_last.of(columns[curve.to]);
-        for (std::size_t k = curve.end; k > curve.begin; --k) {
-            const Place& place = places_[k - 1];
-            Point<double>& own = columns[place.vertex];
-            own = place.inverse.of(own - after - place.to_first.of(columns[curve.from]));
-            after = place.to_before.transposed().of(own);
+        if (curve.is_loop) {
+            gather(curve, columns);
+            columns[curve.from] = curve.cut_inverse.of(columns[curve.from]);
         }
-    };
-    for (const Curve& loop : loops_) {
-        forward(loop);
-        columns[loop.from] = loop.cut_inverse.of(columns[loop.from]);
-        backward(loop);
     }
-    for (const Curve& curve : curves_) {
-        forward(curve);
+}
+
+// The forward substitution at the anchors of a curve.
+void CurveSolver::gather(const Curve& curve, std::span<Point<double>> columns) const {
+    for (std::size_t k = curve.begin; k < curve.end; ++k) {
+        columns[curve.from] -= to_from_[k];
+    }
+    const Place& last = places_[curve.end - 1];
+    columns[curve.to] -= curve.to_last.transposed().of(last.inverse.of(columns[last.vertex]));
+}
+
+void CurveSolver::finish(std::span<Point<double>> columns) {
+    for (const Curve& curve : between_junctions()) {
+        gather(curve, columns);
     }
     solve_junctions(columns);
-    for (const Curve& curve : curves_) {
-        backward(curve);
-    }
+    for_each_share([&](std::size_t share) {
+        for (const Curve& curve : curves_of(share)) {
+            Point<double> after = curve.to_last.of(columns[curve.to]);
+            for (std::size_t k = curve.end; k > curve.begin; --k) {
+                const Place& place = places_[k - 1];
+                Point<double>& own = columns[place.vertex];
+                own = place.inverse.of(own - after - place.to_first.of(columns[curve.from]));
+                after = place.to_before.transposed().of(own);
+            }
+        }
+    });
+}
+
+void CurveSolver::solve(std::span<Point<double>> columns) {
+    for_each_share([&](std::size_t share) { reduce(share, columns); });
+    finish(columns);
 }
 
 void CurveSolver::solve_junctions(std::span<Point<double>> columns) const {

@@ -233,7 +233,7 @@ AreaKeeper::Vector AreaKeeper::gained_by(std::span<const Point<double>> displace
 
 // Pressures during a step of the system that give the areas what is missing: conjugate gradients,
 // preconditioned by what pressures do without tension, and from those of the step before.
-void AreaKeeper::press(const CurveSystem& system, std::span<Point<double>> displacements) {
+void AreaKeeper::press(CurveSystem& system, std::span<Point<double>> displacements) {
     constexpr int most_rounds = 30;
     constexpr double tolerance = 1e-8; // what remains is left to a shift
     const double all = dot(missing_, missing_);
@@ -283,7 +283,7 @@ void AreaKeeper::shift(std::span<Point<double>> displacements) {
 }
 
 void AreaKeeper::keep(std::span<const Point<double>> positions,
-                      std::span<Point<double>> displacements, const CurveSystem* system) {
+                      std::span<Point<double>> displacements, CurveSystem* system) {
     // Area is quadratic in the displacement: a shift leaves about its square.
     constexpr int shifts = 3;
     if (kept_.empty() || !prepare(positions, displacements)) {

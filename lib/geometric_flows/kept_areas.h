@@ -28,7 +28,7 @@ public:
     /// hardly depends on the number of phases, and is smaller where the pressures of the step
     /// before, in the same network, are nearly right.
     void keep(std::span<const Point<double>> positions, std::span<Point<double>> displacements,
-              const CurveSystem* system);
+              CurveSystem* system);
 
 private:
     using Vector = Eigen::VectorXd;
@@ -47,7 +47,7 @@ private:
     void add_junctions();
     void push(const Vector& pressures, std::span<Point<double>> forces) const;
     [[nodiscard]] Vector gained_by(std::span<const Point<double>> displacements) const;
-    void press(const CurveSystem& system, std::span<Point<double>> displacements);
+    void press(CurveSystem& system, std::span<Point<double>> displacements);
     void shift(std::span<Point<double>> displacements);
 
     const CurveNetwork* network_ = nullptr;

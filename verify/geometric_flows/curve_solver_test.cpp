@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -87,6 +88,12 @@ std::vector<Column> product(const CurveNetwork& network, const std::vector<Block
     return sum;
 }
 
+void factorise(CurveSolver& solver, const std::vector<Block>& diagonal,
+               const std::vector<Block>& coupling) {
+    solver.for_each_share([&](std::size_t share) { solver.eliminate(share, diagonal, coupling); });
+    solver.factorise_junctions(diagonal, coupling);
+}
+
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
     CurveSolver solver; // of one network after the other
     for (unsigned seed = 0; seed < 300; ++seed) {
@@ -106,9 +113,9 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             diagonal[edge.to] += b * b.transposed();
             coupling.emplace_back(a * b.transposed());
         }
-        solver.begin(network);
+        solver.begin(network, one_by_one);
         for (int round = 0; round < 2; ++round) { // the second one has what the first has left
-            solver.factorise(diagonal, coupling);
+            factorise(solver, diagonal, coupling);
             std::vector<Column> columns;
             for (std::size_t v = 0; v < n; ++v) {
                 columns.emplace_back(number(lot), number(lot));
@@ -134,14 +141,57 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
     const std::vector<Block> coupling(8, Block{-1, 0, 0, -1});
     diagonal[5] = {};
     CurveSolver solver;
-    solver.begin(made.network);
-    solver.factorise(diagonal, coupling);
+    solver.begin(made.network, one_by_one);
+    factorise(solver, diagonal, coupling);
     std::vector<Column> columns(8, Column(1, 1));
     solver.solve(columns);
     for (std::size_t v = 0; v < 4; ++v) {
         EXPECT_NEAR(columns[v].x(), 1, 1e-12);
         EXPECT_TRUE(std::isnan(columns[v + 4].x()));
     }
+}
+
+// Long curves between a few junctions, and closed ones: enough for several shares.
+TEST(CurveSolver, IsTheSameToTheBitInAnyOrderOfShares) {
+    Network made;
+    const std::array<std::uint32_t, 3> junctions{made.vertex(true), made.vertex(true),
+                                                 made.vertex(true)};
+    for (std::size_t i = 0; i < 30; ++i) {
+        made.curve(junctions[i % 3], junctions[(i + i / 3) % 3], 60);
+        const std::uint32_t start = made.vertex(false);
+        made.curve(start, start, 20);
+    }
+    std::mt19937 lot;
+    std::uniform_real_distribution<double> number(-1, 1);
+    std::vector<Column> given;
+    for (std::size_t v = 0; v < made.network.positions.size(); ++v) {
+        given.emplace_back(number(lot), number(lot));
+    }
+    std::vector<Block> diagonal(given.size(), Block{3, 0, 0, 3});
+    for (const std::uint32_t v : junctions) {
+        diagonal[v] = {30, 0, 0, 30};
+    }
+    std::vector<Block> coupling;
+    for (std::size_t e = 0; e < made.network.edges.size(); ++e) {
+        coupling.push_back({number(lot), 0, 0, number(lot)});
+    }
+    std::size_t most_shares = 0;
+    const InShares backwards = [&](std::size_t shares, const auto& task) {
+        most_shares = shares;
+        for (std::size_t share = shares; share > 0; --share) {
+            task(share - 1);
+        }
+    };
+    std::array<std::vector<Column>, 2> solved{given, given};
+    for (std::size_t i = 0; i < 2; ++i) {
+        CurveSolver solver;
+        solver.begin(made.network, i == 0 ? one_by_one : backwards);
+        factorise(solver, diagonal, coupling);
+        solver.solve(solved[i]);
+        EXPECT_TRUE(solved[i].front().allFinite());
+    }
+    EXPECT_GT(most_shares, 2U);
+    EXPECT_EQ(solved[0], solved[1]);
 }
 
 } // namespace
