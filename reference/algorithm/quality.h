@@ -5,7 +5,6 @@
 
 #include "reference/complex/complex.h"
 
-
 namespace dsc::reference {
 
 /// Equation 1: the distance of a vertex to its destination.

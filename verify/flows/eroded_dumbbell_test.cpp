@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace dsc::scenes::eroded_dumbbell_test {
 namespace {
 

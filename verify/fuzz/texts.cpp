@@ -12,7 +12,6 @@
 #include "scenes/file/scene_file.h"
 #include "scenes/run/start.h"
 
-
 namespace dsc::fuzz {
 
 namespace {

@@ -7,7 +7,6 @@
 #include "reference/algorithm/dsc.h"
 #include "reference/algorithm/selection.h"
 
-
 namespace dsc::reference::reference_dsc_test {
 namespace {
 

@@ -3,7 +3,6 @@
 // of the submesh that owns it.
 #include "dsc/parallel/in_place/submesh_part.h"
 
-
 namespace dsc {
 
 // The submesh of the first colour; the first one, if an application's partition has a gap.
