@@ -36,7 +36,8 @@ struct Polygon {
                 .flags = flags,
                 .junctions = {},
                 .arm_begin = {},
-                .arms = {}};
+                .arms = {},
+                .in_shares = one_by_one};
     }
 
     Complex<Real> complex;
