@@ -15,9 +15,9 @@ int main() {
     dsc::Options<double> options;
     options.edge_length = 0.04;
     options.sizes = {.growth = 1.3, .longest = 0.1}; // coarser away from the interface
-    auto complex =
-        dsc::initial_complex<double>({{0, 0}, {1, 2}}, std::vector<dsc::Shape>{{bubble, 1}},
-                                     {.edge_length = options.edge_length, .sizes = options.sizes});
+    auto complex = dsc::initial_complex<double>(
+        {{0, 0}, {1, 2}}, std::vector<dsc::Shape>{{bubble, 1}},
+        {.edge_length = options.edge_length, .sizes = options.sizes});
     dsc::Simulation<double> simulation(complex, options);
 
     dsc::FluidOptions fluids;
