@@ -36,8 +36,7 @@ struct Polygon {
                 .flags = flags,
                 .junctions = {},
                 .arm_begin = {},
-                .arms = {},
-                .in_shares = one_by_one};
+                .arms = {}};
     }
 
     Complex<Real> complex;

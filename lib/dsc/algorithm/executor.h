@@ -93,12 +93,12 @@ public:
     /// have set them free. `gone` are the vertices that it took off the interface, ascending.
     /// Returns how many have arrived now, or are no longer to be moved.
     [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone);
+    /// The threads of the step, for serial work that can be shared.
+    [[nodiscard]] const InShares& in_shares() const { return in_shares_; }
     /// Called after the last sub-step, also where something threw.
     virtual void end_step();
 
     // Afterwards.
-    /// The threads of the step, for serial work that can be shared.
-    [[nodiscard]] const InShares& in_shares() const { return in_shares_; }
     /// The number of interface vertices.
     [[nodiscard]] std::size_t interface_size() const;
     /// Appends them, roughly in the order of the curve.

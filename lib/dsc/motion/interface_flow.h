@@ -73,7 +73,7 @@ struct InterfaceView {
 
     /// The threads of the step, for a motion of the whole interface to share its work among. A flow
     /// is called by several threads as it is, and must not use it.
-    const InShares& in_shares;
+    const InShares& in_shares = one_by_one;
 
     /// The number of interface vertices.
     [[nodiscard]] std::size_t size() const { return vertices.size(); }
