@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Doxygen reads each header through this, and the headers stay as they are:
+"""Writes the headers as doxygen reads them; the headers themselves stay as they are:
 
 - the comment at the top of a file becomes the description of the file;
 - what a room (a folder of lib/dsc, or a module) declares becomes part of the group of that name;
 - a comment above several functions of one name, or beside an x and a y, is given to all of them.
 
-No line is added or removed, so that warnings name the right one."""
+No line is added or removed, so that warnings name the right one.
+
+usage: doxygen_filter.py SOURCE COPIES HEADER...   (headers within SOURCE, copies within COPIES)"""
 import re
 import sys
+from pathlib import Path
 
 FUNCTION = re.compile(r"([A-Za-z_]\w*)\s*\(")
 COORDINATE = re.compile(r"\s*[\w<>:() ]+ (?:\w+_)?(?:x|y)(?:0|_next|_previous)?(?: = .+?)?;")
@@ -111,5 +114,9 @@ def filtered(path, text):
 
 
 if __name__ == "__main__":
-    with open(sys.argv[1], encoding="utf-8") as stream:
-        sys.stdout.write(filtered(sys.argv[1], stream.read()))
+    source, copies, *headers = sys.argv[1:]
+    for header in headers:
+        copy = Path(copies, header)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        header = Path(source, header)
+        copy.write_text(filtered(str(header), header.read_text(encoding="utf-8")), encoding="utf-8")

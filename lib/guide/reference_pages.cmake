@@ -5,12 +5,19 @@
 cmake_minimum_required(VERSION 3.25)
 include(${source}/dsc/public_headers.cmake)
 file(GLOB pages ${source}/guide/*.md ${source}/guide/*.dox)
-set(inputs ${pages})
 foreach(module dsc fluid geometric_flows thesis topology)
     dsc_public_headers(headers ${source} ${module})
-    list(TRANSFORM headers PREPEND ${source}/)
-    list(APPEND inputs ${headers})
+    list(APPEND all_headers ${headers})
 endforeach()
+set(copies ${work}/headers)
+file(REMOVE_RECURSE ${copies})
+execute_process(
+    COMMAND ${python} -I -S ${source}/guide/doxygen_filter.py ${source} ${copies} ${all_headers}
+    COMMAND_ERROR_IS_FATAL ANY)
+# Doxygen runs its filter twice for each header: what it runs only finds the copy.
+file(WRITE ${work}/filter.sh "exec cat \"${copies}/\${1#${source}/}\"\n")
+list(TRANSFORM all_headers PREPEND ${source}/)
+set(inputs ${pages} ${all_headers})
 list(JOIN inputs "\" \\\n    \"" inputs)
 configure_file(${source}/guide/Doxyfile.in ${work}/Doxyfile @ONLY)
 execute_process(COMMAND ${doxygen} ${work}/Doxyfile RESULT_VARIABLE code)

@@ -107,6 +107,8 @@ TEST(FluidRest, AHeavyFluidLiesBelowALightOne) {
     EXPECT_NEAR(pressure(0.1) - pressure(0.4), 1000 * 10 * 0.3, 1e-8);
     EXPECT_NEAR(pressure(0.6) - pressure(0.9), 1 * 10 * 0.3, 1e-8);
     EXPECT_NEAR(pressure(0.5 - 1e-9) - pressure(0.5 + 1e-9), 0, 1e-4);
+    // Each phase fills half of the domain.
+    EXPECT_NEAR(mean_pressure(fluid.field(), 0) + mean_pressure(fluid.field(), 1), 0, 1e-8);
 }
 
 } // namespace
