@@ -105,7 +105,7 @@ def _stack(axes, bars, kinds, base):
     axes.tick_params(axis="x", length=0)
     axes.set_ylim(0, 1.12 * max(tallest, base or 0))
     if base:
-        axes.axhline(base, color=style.INK, linewidth=1, linestyle=(0, (2.5, 1.5)), zorder=5)
+        axes.axhline(base, color=style.INK, linewidth=1, linestyle=style.SHORT_DASHES, zorder=5)
 
 
 def draw(bench):
@@ -132,7 +132,7 @@ def _picture(family, rows, measured, sizes, context):
     grid[1][0].set_ylabel("threads × time of a step (µs)")
     handles = [style.square(name, colour) for _, name, colour in PARTS]
     handles += [style.square(f"modelled: {name}", colour) for _, name, colour in USES]
-    handles.append(style.key("sequential step", style.INK, line=(0, (2.5, 1.5)), width=1))
+    handles.append(style.key("sequential step", style.INK, line=style.SHORT_DASHES, width=1))
     title = f"Where the time of a step goes: {series.title(family)}"
     style.finish(fig, title, style.caption_text(
         context, "Above: measured on one thread, summed over submeshes; everything except the "

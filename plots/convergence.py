@@ -12,7 +12,6 @@ import sys
 from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
-from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
 import precision
 from results import precision_data as data
@@ -73,27 +72,15 @@ def _panel(axes, lines, moment):
     handles = []
     for method, line in lines.items():
         placed = data.points(line, moment)
-        x, y = [r.h for _, _, r in placed], [e for e, _, _ in placed]
-        label = f"{method}: {data.order(line, moment)}"
-        if line[0].group == "markers":
-            fashion = precision.floor_style(method)
-            axes.plot(x, y, zorder=2, **fashion)
-            marks = {k: v for k, v in fashion.items() if k.startswith("marker")}
-            handles.append(style.key(label, style.MUTED, line=precision.FLOOR_LINE, width=0.9,
-                                     marks=marks))
-        else:
-            colour, marker = precision.look(method)
-            width = 3.0 if method == data.DEFAULT else 1.4
-            axes.plot(x, y, color=colour, marker=marker, zorder=3,
-                      **{**style.solid(colour), "linewidth": width})
-            handles.append(style.key(label, colour, marker, width=width))
+        handles += axes.plot([r.h for _, _, r in placed], [e for e, _, _ in placed],
+                             label=f"{method}: {data.order(line, moment)}",
+                             **precision.fashion(method, line))
     axes.set_xscale("log", base=2)
     axes.set_yscale("log")
     sizes = sorted({r.h for line in lines.values() for r in line})
     axes.set_xticks(sizes, [data.length(h) for h in sizes])
-    axes.xaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:.0e}".replace("e-0", "e-")))
+    axes.minorticks_off()
+    axes.yaxis.set_major_formatter(lambda v, _: f"{v:.0e}".replace("e-0", "e-"))
     _guides(axes, lines, moment, sizes)
     axes.legend(handles=handles, loc="upper left", bbox_to_anchor=(-0.02, -0.19), fontsize=7.8,
                 borderaxespad=0, handlelength=2.4, labelspacing=0.3)

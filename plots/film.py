@@ -8,9 +8,7 @@ The folder is one of `dsc_scene run --frames FOLDER --every N`, with one run. A 
 speed, on a scale that ends at the median of the frames' largest, anything else by its phases; the
 interface is bold.
 """
-import base64
 import io
-import os
 import sys
 
 from look import script, style  # first: it says which Python has no matplotlib
@@ -21,6 +19,7 @@ from PIL import Image
 
 import flow
 import frames
+from page import document as page
 from results import load, load_frames
 
 SIDE = 3.0           # inches, the shorter side of the domain
@@ -73,8 +72,7 @@ def section(out):
     path = out / OF_REPORT
     if not path.is_file():
         return ""
-    data = base64.b64encode(path.read_bytes()).decode("ascii")
-    return (f'<figure><img alt="Thirty bubbles rise and merge" src="data:image/webp;base64,{data}">'
+    return (f'<figure><img alt="Thirty bubbles rise and merge" src="{page.inline(path.read_bytes())}">'
             "<figcaption>The scene bubbles: the speed as a colour, brighter where it is faster, and "
             "the interface in white. Times are in units of the scene.</figcaption></figure>\n")
 

@@ -12,7 +12,7 @@ import sys
 from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import LogLocator
 
 from results import load, series
 
@@ -76,8 +76,8 @@ def _panel(axes, points, looks):
              xlabel="sequential work a step  $t_s$")
     axes.set_yticks(numpy.arange(0, axes.get_ylim()[1], 0.2))
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: style.tick(value)))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+    axes.xaxis.set_major_formatter(lambda value, _: style.tick(value))
+    axes.minorticks_off()
     axes.annotate("S = 1: threads pay above ", (1, 1 / n), (0, -3), ha="right", va="top",
                   xycoords=axes.get_yaxis_transform(), textcoords="offset points", fontsize=7.5,
                   color=style.MUTED)
@@ -89,7 +89,7 @@ def _panel(axes, points, looks):
                      looks[p.row.label][0], MARKERS.get(p.row.family, "p"))
     found = threshold(judged(points, n))
     if found and found[1]:
-        axes.axvline(found[0], color=style.INK, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=2)
+        axes.axvline(found[0], color=style.INK, linewidth=0.9, linestyle=style.DOTTED, zorder=2)
         axes.annotate(f" pays from {style.duration(found[0])}", (found[0], 1), (2, -4),
                       xycoords=axes.get_xaxis_transform(), textcoords="offset points",
                       fontsize=8, va="top")

@@ -8,7 +8,6 @@ histograms.py RESULT.json... --out PICTURE.pdf
 The files are results of `dsc_scene run --json`, of one scene in one strategy each.
 """
 import sys
-from itertools import accumulate
 
 from look import script, style  # first: it says which Python has no matplotlib
 
@@ -48,11 +47,14 @@ def median(item):
     return item.edges[-1]
 
 
+def percent(item):
+    """The share of each bin."""
+    return 100 * numpy.array(item.counts) / sum(item.counts)
+
+
 def distance(one, other):
     """Largest difference between the two cumulative curves, as a share of the triangles."""
-    a = numpy.array(list(accumulate(one.counts))) / sum(one.counts)
-    b = numpy.array(list(accumulate(other.counts))) / sum(other.counts)
-    return float(numpy.abs(a - b).max())
+    return float(numpy.abs(numpy.cumsum(percent(one)) - numpy.cumsum(percent(other))).max()) / 100
 
 
 def base_of(found):
@@ -95,14 +97,12 @@ def _one(scene, quantity, found, published, context):
         axes.set_visible(False)
     for axes, (strategy, item) in zip(grid.flat, found.items()):
         colour, _ = style.look(strategy)
-        share = 100 * numpy.array(item.counts) / sum(item.counts)
-        axes.stairs(share, item.edges, fill=True, color=colour, alpha=0.4, linewidth=0)
-        axes.stairs(share, item.edges, color=colour, linewidth=0.9)
+        axes.stairs(percent(item), item.edges, fill=True, color=colour, alpha=0.4, linewidth=0)
+        axes.stairs(percent(item), item.edges, color=colour, linewidth=0.9)
         if item is not base and item.edges == base.edges:
-            outline = 100 * numpy.array(base.counts) / sum(base.counts)
-            axes.stairs(outline, base.edges, color=style.INK, linewidth=0.9,
-                        linestyle=(0, (2.5, 1.5)))
-        axes.axvline(median(item), color=style.INK, linewidth=0.8, linestyle=(0, (1, 1.5)))
+            axes.stairs(percent(base), base.edges, color=style.INK, linewidth=0.9,
+                        linestyle=style.SHORT_DASHES)
+        axes.axvline(median(item), color=style.INK, linewidth=0.8, linestyle=style.DOTTED)
         axes.set_title(f"{strategy}, {style.whole(sum(item.counts))} triangles")
     used = numpy.nonzero(sum(numpy.array(h.counts) for h in found.values()
                              if h.edges == base.edges))[0]
@@ -110,11 +110,9 @@ def _one(scene, quantity, found, published, context):
     if all(h.edges == base.edges for h in found.values()):
         slack = 0.03 * (high - low)
         grid[0][0].set_xlim(low - slack, high + slack)
-    for index in range(len(found)):
-        if index + columns >= len(found):
-            axes = grid.flat[index]
-            axes.set_xlabel(AXES.get(quantity, quantity))
-            axes.tick_params(labelbottom=True)
+    for axes in grid.flat[len(found) - columns:len(found)]:  # the lowest of each column
+        axes.set_xlabel(AXES.get(quantity, quantity))
+        axes.tick_params(labelbottom=True)
     for row in grid:
         row[0].set_ylabel("triangles in a bin (%)")
     if quantity == "area":

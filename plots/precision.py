@@ -12,7 +12,8 @@ import sys
 
 from look import script, style  # first: it says which Python has no matplotlib
 
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator
 
 from results import precision_data as data
 
@@ -40,11 +41,6 @@ PEER_MARKERS = {"official 2D DSC": "*", "Basilisk": "p", "isoAdvector": "<", "Ge
 PANELS = {"other": "Against others", "time": "Steps in time",
           "upkeep": "Insertion and coarsening\nof the interface"}
 MOMENTS = {"last": "at the end", "half": "half-way, where the shape is most stretched"}
-FLOOR_LINE = (0, (1, 1.5))
-
-
-def look(method):
-    return LOOKS.get(method, style.SPARE[sum(method.encode()) % len(style.SPARE)])
 
 
 def shown(lines, panel):
@@ -55,26 +51,23 @@ def shown(lines, panel):
             if m == data.DEFAULT or line[0].group == panel or m in floors}
 
 
-def floor_style(method):
-    marker = FLOOR_MARKERS.get(method, "1")
-    return {"color": style.MUTED, "linewidth": 0.9, "linestyle": FLOOR_LINE, "marker": marker,
-            "markersize": 8, "markeredgewidth": 1.1, "markeredgecolor": style.MUTED}
+def fashion(method, line):
+    """Keywords of a method's line, in pictures as in legends."""
+    if line[0].group == "markers":
+        return {"color": style.MUTED, "linewidth": 0.9, "linestyle": style.DOTTED, "zorder": 2,
+                "marker": FLOOR_MARKERS.get(method, "1"), "markersize": 8,
+                "markeredgewidth": 1.1, "markeredgecolor": style.MUTED}
+    colour, marker = style.look(method, LOOKS)
+    return {"color": colour, "linewidth": 3.0 if method == data.DEFAULT else 1.4, "zorder": 3,
+            "marker": marker, **style.solid(colour)}
 
 
 def _lines(axes, lines, moment):
     for method, line in lines.items():
         placed = data.points(line, moment)
-        if not placed:
-            continue
-        x, y, _ = zip(*placed)
-        if line[0].group == "markers":
-            axes.plot(x, y, zorder=2, **floor_style(method))
-            continue
-        colour, marker = look(method)
-        main = method == data.DEFAULT
-        axes.plot(x, y, color=colour, marker=marker, zorder=5 if main else 3,
-                  **{**style.solid(colour), "linewidth": 3.0 if main else 1.4,
-                     "markersize": 7.5 if main else 6})
+        above = {"zorder": 5, "markersize": 7.5} if method == data.DEFAULT else {}
+        axes.plot([e for e, _, _ in placed], [t for _, t, _ in placed],
+                  **{**fashion(method, line), **above})
         for e, t, run in placed:
             if not run.holds:
                 axes.plot([e], [t], marker="x", color=style.INK, markersize=11, zorder=6)
@@ -94,12 +87,6 @@ def _lengths(axes, line, moment):
                           color=style.BLUE, zorder=7)
 
 
-def _peers(axes, peers):
-    for peer in peers:
-        axes.plot(*zip(*peer.points), color=style.MUTED, linewidth=0.9, zorder=2,
-                  **style.other(PEER_MARKERS.get(peer.tool, "p")))
-
-
 def _marks(axes, marks):
     """Errors without a time, as letters on the axis; the legend says what they are."""
     if not marks:
@@ -116,41 +103,20 @@ def _marks(axes, marks):
                   fontweight="bold", transform=place, zorder=4)
 
 
-def seconds(value, _=None):
-    return style.tick(value * 1e6) if value > 0 else ""
-
-
-def logarithmic(axes):
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-
-
 def set_ticks(axis):
     """Powers of ten, or their double and half as well where hardly one of them would be in view."""
     low, high = axis.get_view_interval()
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)) if high < 30 * low else LogLocator(numticks=8))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def _keys(lines, peers, marks):
-    handles = []
-    for method, line in lines.items():
-        if line[0].group == "markers":
-            fashion = floor_style(method)
-            marking = {k: v for k, v in fashion.items() if k.startswith("marker")}
-            handles.append(style.key(method, style.MUTED, line=FLOOR_LINE, width=0.9,
-                                     marks=marking))
-        else:
-            handles.append(style.key(method, *look(method),
-                                     width=3.0 if method == data.DEFAULT else 1.4))
-    for peer in peers:
-        handles.append(style.key(peer.tool, style.MUTED, width=0.9,
-                                 marks=style.other(PEER_MARKERS.get(peer.tool, "p"))))
-    for letter, mark in zip("abcdef", marks):
-        marking = {"marker": "|", "markersize": 8, "markeredgecolor": style.INK,
-                   "markeredgewidth": 1.4}
-        handles.append(style.key(f"{letter}: {mark.label}", style.INK, line="none", marks=marking))
-    return handles
+    handles = [Line2D([], [], label=method, **fashion(method, line))
+               for method, line in lines.items()]
+    handles += [style.key(peer.tool, style.MUTED, width=0.9,
+                          marks=style.other(PEER_MARKERS.get(peer.tool, "p"))) for peer in peers]
+    bar = {"marker": "|", "markersize": 8, "markeredgecolor": style.INK, "markeredgewidth": 1.4}
+    return handles + [style.key(f"{letter}: {mark.label}", style.INK, line="none", marks=bar)
+                      for letter, mark in zip("abcdef", marks)]
 
 
 def draw(runs, published):
@@ -171,10 +137,12 @@ def _one(flow, lines, peers, marks):
         beside = (peers, marks) if panel == "other" else ([], [])
         for column, moment in enumerate(moments):
             axes = grid[row][column]
-            logarithmic(axes)
+            axes.set(xscale="log", yscale="log")
             _lines(axes, some, moment)
             if moment == "last":
-                _peers(axes, beside[0])
+                for peer in beside[0]:
+                    axes.plot(*zip(*peer.points), color=style.MUTED, linewidth=0.9, zorder=2,
+                              **style.other(PEER_MARKERS.get(peer.tool, "p")))
             axes.margins(0.07)
             if row == 0:
                 axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
@@ -185,7 +153,8 @@ def _one(flow, lines, peers, marks):
         for axes, moment in zip(grid[row], moments):
             set_ticks(axes.xaxis)
             set_ticks(axes.yaxis)
-            axes.yaxis.set_major_formatter(FuncFormatter(seconds))
+            axes.minorticks_off()
+            axes.yaxis.set_major_formatter(lambda seconds, _: style.tick(seconds * 1e6))
             if panel != "other":  # too full for words; the panels below have the same line
                 _lengths(axes, some.get(data.DEFAULT, []), moment)
         legend = grid[row][-1].legend(
@@ -195,8 +164,8 @@ def _one(flow, lines, peers, marks):
         legend.set_alignment("left")
     for axes in grid[-1]:
         axes.set_xlabel("error: symmetric difference over first area")
-    title = f"Error against time: {next(iter(lines.values()))[0].title}"
     first = next(iter(lines.values()))[0]
+    title = f"Error against time: {first.title}"
     style.finish(fig, title, style.caption_text(first.context, notes(lines, peers, marks)))
     return style.Picture(f"precision_{flow}", title, plain(lines, peers), fig,
                          ["method", "h", "error at T", "error at T/2", "CPU s"],

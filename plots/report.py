@@ -16,8 +16,6 @@ import submeshes
 from page import contents, document as page, drawing, hard_cases
 from results import load, precision_data
 
-FORMATS = ("png", "svg", "pdf")
-
 
 def arguments(argv):
     words = script.parser(__doc__)
@@ -32,15 +30,15 @@ def arguments(argv):
             ("published", "DIR", "the figures to compare with"),
             ("out", "DIR", "where the report goes")):
         words.add_argument(f"--{name}", required=name == "out", metavar=kind, help=what)
-    words.add_argument("--formats", default=",".join(FORMATS), metavar="LIST",
+    words.add_argument("--formats", default=",".join(script.FORMATS), metavar="LIST",
                        help="of png,svg,pdf (default: all)")
-    words.add_argument("--jobs", type=int, default=drawing.cores(), metavar="N",
+    words.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), metavar="N",
                        help="pictures drawn at the same time (default: one for each core)")
     options = words.parse_args(argv)
     options.formats = [f for f in options.formats.split(",") if f]
-    if not set(options.formats) <= set(FORMATS):
-        words.error(f"--formats has '{','.join(options.formats)}', where {style.listing(FORMATS)} are "
-                    "allowed.")
+    if not set(options.formats) <= set(script.FORMATS):
+        words.error(f"--formats has '{','.join(options.formats)}', where "
+                    f"{style.listing(script.FORMATS)} are allowed.")
     return options
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from look import script, style  # first: it says which Python has no matplotlib
 
 import numpy
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
+from matplotlib.ticker import FixedLocator
 
 from results import load, series
 
@@ -86,8 +86,7 @@ def others(published):
     """Every published or measured S(n) of another program."""
     return tuple(Other(*OTHERS[name], v.get("triangles", 0), v["n"],
                        v["S"] if "S" in v else v["U"] * v["n"])
-                 for name in OTHERS if (entry := load.entry(published, "speedup", name))
-                 for v in entry["values"])
+                 for name in OTHERS for v in load.values(published, "speedup", name))
 
 
 def gather_runs(bench):
@@ -148,19 +147,16 @@ def _axes(axes, family, quantity, cores, is_over):
         axes.set_ylim(0.8 * min([1.0] + [p.interval[0] for p in family.points + family.models]),
                       1.3 * max(values))
         axes.yaxis.set_major_locator(FixedLocator([2.0 ** k for k in range(-4, 12)]))
-        axes.yaxis.set_minor_locator(NullLocator())
-        axes.yaxis.set_minor_formatter(NullFormatter())
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axes.yaxis.set_major_formatter("{x:g}")
     if family.top > WIDE:
         axes.set_xscale("log", base=2)
         axes.set_xlim(0.76, family.top * 1.25)
         ticks = [2 ** k for k in range(12) if 2 ** k <= family.top]
-    axes.xaxis.set_major_locator(FixedLocator(ticks))
-    axes.xaxis.set_minor_locator(NullLocator())
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.set_xticks(ticks, map(str, ticks))
+    axes.minorticks_off()
     if not cores or cores > family.top:
         return
-    axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)), zorder=1.5)
+    axes.axvline(cores, color=style.MUTED, linewidth=0.9, linestyle=style.DOTTED, zorder=1.5)
     texts = [(cores, f" {style.counted(cores, 'core')} ", "left" if cores == 1 else "right")]
     if cores < family.top:
         axes.axvspan(cores, axes.get_xlim()[1], color=style.SHADE, zorder=0, linewidth=0)

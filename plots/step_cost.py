@@ -14,8 +14,6 @@ import sys
 
 from look import script, style  # first: it says which Python has no matplotlib
 
-from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
-
 from results import load, series
 
 PEER_MARKERS = ["*", "p", "<", "d"]
@@ -48,14 +46,12 @@ def chosen(found):
 
 def peers(family, published):
     """[(name, [(triangles, microseconds a step)])] measured on other programs."""
-    def values(identifier):
-        return (load.entry(published, "peers", identifier) or {"values": []})["values"]
-
     found = {}
-    for v in values("official_dsc_step"):
+    for v in load.values(published, "peers", "official_dsc_step"):
         if v["scene"] == PEER_SCENES.get(family):
             found.setdefault("official 2D DSC", []).append((v["triangles"], v["ms_per_step"] * 1e3))
-    for v in values("mesh_adaptation_step") if family == "scaling_step" else ():
+    adapted = load.values(published, "peers", "mesh_adaptation_step")
+    for v in adapted if family == "scaling_step" else ():
         found.setdefault(v["tool"], []).append((v["triangles"], v["seconds_per_step"] * 1e6))
     return [(name, sorted(points)) for name, points in found.items()]
 
@@ -157,14 +153,12 @@ def _figure(lines, values, context, title, published, floors):
             style.points(axes, entries, *looks[label])
         for name, points in peers(family, published):
             marker = others.setdefault(name, PEER_MARKERS[len(others) % len(PEER_MARKERS)])
-            axes.plot(*zip(*points), color=style.MUTED, linewidth=0.9, linestyle=(0, (1, 1.5)),
+            axes.plot(*zip(*points), color=style.MUTED, linewidth=0.9, linestyle=style.DOTTED,
                       zorder=2.5, **style.other(marker))
         axes.set(xscale="log", yscale="log", xlabel="triangles", title=series.title(family))
-        axes.xaxis.set_major_locator(FixedLocator(sizes))
-        axes.xaxis.set_minor_locator(NullLocator())
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: style.size_label(value)))
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: style.tick(value)))
-        axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.set_xticks(sizes, [style.size_label(size) for size in sizes])
+        axes.yaxis.set_major_formatter(lambda value, _: style.tick(value))
+        axes.minorticks_off()
         line = _sequential(these)
         bounds = [(r.triangles, floors[id(r)]) for r in line if id(r) in floors]
         axes.plot([x for x, _ in bounds], [us for _, us in bounds], color=style.INK, linestyle="none", zorder=4,
@@ -182,7 +176,7 @@ def _figure(lines, values, context, title, published, floors):
     handles = [style.key(label, *look) for label, look in looks.items()]
     if any(r.doubtful for r in rows):
         handles.append(style.key(DOUBTFUL, style.MUTED, "o", "none", style.doubtful))
-    handles += [style.key(name, style.MUTED, line=(0, (1, 1.5)), width=0.9, marks=style.other(marker))
+    handles += [style.key(name, style.MUTED, line=style.DOTTED, width=0.9, marks=style.other(marker))
                 for name, marker in others.items()]
     if floors:
         handles.append(style.key(FLOOR, style.INK, line="none", marks=BOUND))

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """The gallery as HTML: pictures, tables, sentences."""
-import base64
 from dataclasses import dataclass, field
 
 from page import document as page
@@ -44,7 +43,7 @@ def heading(block):
 def _picture(picture):
     text = page.escape(picture.sentence)
     image = (f'<img alt="{text}" style="{WIDE if picture.is_wide else ""}{IMAGE}" '
-             f'src="data:image/webp;base64,{base64.b64encode(picture.data).decode("ascii")}">')
+             f'src="{page.inline(picture.data)}">')
     if picture.is_wide:
         image = (f'<div style="overflow-x:auto" tabindex="0" role="region" aria-label="{text}">'
                  f"{image}</div>")

@@ -2,13 +2,12 @@
 """What every script that draws does: it reads files, draws, saves, and prints what the pictures say.
 A file that cannot be used is one sentence on the error stream."""
 import argparse
-import os
 import sys
 
 from look import style
 from results.load import InputFault
 
-FORMATS = (".png", ".svg", ".pdf")
+FORMATS = ("png", "svg", "pdf")
 NOTE = "Exit 0 done; 2 bad usage or a file that cannot be used, with one sentence on the error stream."
 
 
@@ -39,19 +38,18 @@ def main(doc, draw, argv=None, **options):
     for name, keywords in options.items():
         words.add_argument(f"--{name}", **keywords)
     given = words.parse_args(argv)
-    stem, form = os.path.splitext(given.out)
+    stem, _, form = given.out.rpartition(".")
 
     def draw_all():
         if form not in FORMATS:
             raise InputFault(f"--out has '{given.out}', where names ending in "
-                             f"{style.listing(FORMATS)} are allowed.")
+                             f"{style.listing('.' + name for name in FORMATS)} are allowed.")
         pictures = list(draw(given))
         if not pictures:
             raise InputFault(f"{given.files[0]} has nothing that this picture shows.")
         for picture in pictures:
-            path = given.out if len(pictures) == 1 else f"{stem}-{picture.name}{form}"
-            folder, name = os.path.split(path)
-            style.save(picture.figure, folder or ".", os.path.splitext(name)[0], [form[1:]])
-            print(f"{path}: {picture.sentence}")
+            name = stem if len(pictures) == 1 else f"{stem}-{picture.name}"
+            style.save(picture.figure, "", name, [form])
+            print(f"{name}.{form}: {picture.sentence}")
 
     return attempt(words.prog, draw_all)

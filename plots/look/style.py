@@ -8,6 +8,7 @@ import io
 import math
 import os
 import statistics
+import textwrap
 from dataclasses import dataclass, field
 from itertools import accumulate
 
@@ -50,6 +51,7 @@ MESH_DPI = 160      # of what has no vector format beside it
 RASTER_DPI = 220    # of what is an image inside vector formats
 PAGE_WIDTH = 1020   # pixels of a mesh: as wide as a page
 MESH_QUALITY = 50   # of 100
+UNDATED = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}  # formats that carry a date
 
 
 @dataclass
@@ -106,20 +108,19 @@ def apply():
     })
 
 
-def look(strategy):
-    """Colour and marker of a strategy; a strategy not known here gets a spare pair."""
-    if strategy in STRATEGIES:
-        return STRATEGIES[strategy]
-    return SPARE[sum(strategy.encode()) % len(SPARE)]
+def look(name, known=STRATEGIES):
+    """Colour and marker of a strategy, or of what else is known; others get a spare pair."""
+    return known.get(name) or SPARE[sum(name.encode()) % len(SPARE)]
 
 
-def order(strategy):
-    """Sorting key: known strategies in the order of STRATEGIES, then others by name."""
-    names = list(STRATEGIES)
-    return (names.index(strategy) if strategy in names else len(names), strategy)
+def order(name, known=tuple(STRATEGIES)):
+    """Sorting key: strategies, or what else is known, in the order given, then others by name."""
+    return (known.index(name) if name in known else len(known), name)
 
 
 DASHED = (0, (3.5, 2))  # what was modelled and not measured
+SHORT_DASHES = (0, (2.5, 1.5))
+DOTTED = (0, (1, 1.5))
 
 
 def hollow(colour):
@@ -197,36 +198,15 @@ def caption_text(context, conditions=""):
     """Machine, commit and conditions of a result, as far as they are known."""
     parts = []
     if context is not None:
-        if context.machine:
-            parts.append(context.machine)
-        if context.cores and "core" not in context.machine:
-            parts.append(counted(context.cores, "core"))
-        if context.load not in (None, ""):
-            parts.append(f"other load {context.load}")
-        if context.compiler:
-            parts.append(context.compiler)
-        if context.build_type:
-            parts.append(context.build_type)
-        if context.commit:
-            parts.append(f"commit {context.commit[:12]}")
-        parts += [text for text in (context.clock, context.binding) if text]
+        cores = 0 if "core" in context.machine else context.cores  # said once
+        parts = [context.machine, cores and counted(cores, "core"),
+                 context.load and f"other load {context.load}", context.compiler,
+                 context.build_type, context.commit and f"commit {context.commit[:12]}",
+                 context.clock, context.binding]
     # Lines are broken between parts only.
-    parts = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts]
+    parts = [part.replace(" ", "\N{NO-BREAK SPACE}") for part in parts if part]
     first = "  ·  ".join(parts) if parts else "machine and commit not recorded"
     return first + ("\n" + conditions if conditions else "")
-
-
-def _wrap(text, columns):
-    """Breaks lines that are too long for the figure, at spaces."""
-    lines = []
-    for line in text.split("\n"):
-        while len(line) > columns:
-            cut = line.rfind(" ", 0, columns)
-            cut = cut if cut > 0 else columns
-            lines.append(line[:cut].rstrip(" ·"))
-            line = line[cut:].lstrip(" ·")
-        lines.append(line)
-    return lines
 
 
 def _columns(labels, width):
@@ -252,7 +232,9 @@ def finish(fig, title, caption, handles=()):
     """Title and legend in a band above the axes, caption in a band below; sizes in inches."""
     width, height = fig.get_size_inches()
     left = 0.12 / width
-    lines = _wrap(caption, int(width * 18))
+    # What is too long for the figure goes on in the next line.
+    lines = [part.strip(" ·") for line in caption.split("\n")
+             for part in textwrap.wrap(line, int(width * 18), break_on_hyphens=False)]
     bottom = 0.16 + 0.165 * len(lines)
     top = 0.42
     fig.text(left, 1 - 0.12 / height, title, ha="left", va="top", fontsize=11.5,
@@ -269,10 +251,6 @@ def finish(fig, title, caption, handles=()):
              color=MUTED, linespacing=1.35)
     fig.get_layout_engine().set(rect=(0, bottom / height, 1, 1 - (bottom + top) / height),
                                 w_pad=0.08, h_pad=0.06, wspace=0.03, hspace=0.03)
-
-
-def _metadata(form):
-    return {"svg": {"Date": None}, "pdf": {"CreationDate": None}}.get(form)
 
 
 def settle(fig):
@@ -335,7 +313,7 @@ def save(fig, out, name, formats, is_mesh=False, shown=False):
             data = few_colours(full)
         else:
             buffer = io.BytesIO()
-            fig.savefig(buffer, format=form, dpi=RASTER_DPI, metadata=_metadata(form))
+            fig.savefig(buffer, format=form, dpi=RASTER_DPI, metadata=UNDATED.get(form))
             data = buffer.getvalue()
         write_bytes(os.path.join(out, f"{name}.{form}"), data)
     plt.close(fig)

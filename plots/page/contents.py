@@ -28,8 +28,7 @@ def tasks(results):
     """[(section, function that gives Pictures)]"""
     bench, published = results["bench"], results["published"]
     drawn_by = results["scenes"][0].context if results["scenes"] else None
-    runs = sorted(results["runs"], key=lambda run: (
-        FIRST.index(run[0]) if run[0] in FIRST else len(FIRST)))
+    runs = sorted(results["runs"], key=lambda run: style.order(run[0], FIRST))
     found = [("frames", partial(frames.draw, [run], drawn_by)) for run in runs]
     if bench:
         found += [("steps", partial(step_cost.draw, bench, published)),

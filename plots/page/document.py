@@ -84,21 +84,26 @@ def link(path, text):
     return f'<a href="{escape(path)}">{escape(text)}</a>'
 
 
+def inline(webp):
+    """The address of an image that the page holds itself."""
+    return "data:image/webp;base64," + base64.b64encode(webp).decode("ascii")
+
+
 def figure(drawn):
-    """A picture embedded as a data URI with its sentence; its numbers and files folded."""
-    data = base64.b64encode(drawn.webp).decode("ascii")
-    width, height = drawn.size
-    title = escape(drawn.title)
-    sentence = drawn.sentence[:1].upper() + drawn.sentence[1:]  # some begin with a scene's name
+    """A picture, embedded, with its sentence; its numbers and files folded."""
+    picture, (width, height) = drawn.picture, drawn.size
+    title, sentence = escape(picture.title), picture.sentence
+    sentence = sentence[:1].upper() + sentence[1:]  # some begin with a scene's name
     inside = (f'<figure><div class="picture" tabindex="0" role="region" aria-label="{title}">'
               f'<img alt="{title}" width="{width}" height="{height}" style="max-width:{width}px" '
-              f'src="data:image/webp;base64,{data}"></div>\n'
+              f'src="{inline(drawn.webp)}"></div>\n'
               f"<figcaption>{escape(sentence)}</figcaption></figure>\n")
-    more = table(drawn.header, drawn.rows, name=f"The numbers of: {drawn.title}") if drawn.rows else ""
+    more = table(picture.header, picture.rows,
+                 name=f"The numbers of: {picture.title}") if picture.rows else ""
     if drawn.files:
         more += ("<p>The picture as " + ", ".join(
             link(name, name.rpartition(".")[2].upper()) for name in drawn.files) + ".</p>")
-    return inside + (fold("The numbers" if drawn.rows else "Files", more) if more else "")
+    return inside + (fold("The numbers" if picture.rows else "Files", more) if more else "")
 
 
 def facts(pairs):

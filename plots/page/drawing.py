@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Draws the pictures of all sections, several at a time, and keeps of each what the page needs."""
 import multiprocessing
-import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from look import style
 
@@ -11,11 +10,7 @@ from look import style
 class Drawn:
     """A picture that has been drawn and saved."""
 
-    name: str
-    title: str
-    sentence: str
-    header: list
-    rows: list
+    picture: style.Picture  # without its figure
     webp: bytes
     size: tuple   # (width, height) in pixels
     files: tuple  # names beside the page
@@ -32,15 +27,9 @@ def _draw(index):
         kept = [form for form in formats if form == "png" or not picture.is_mesh]
         png = style.save(picture.figure, out, picture.name, kept, picture.is_mesh,
                          shown=True)
-        webp, size = style.for_page(png, picture.is_mesh)
-        result.append(Drawn(picture.name, picture.title, picture.sentence, picture.header,
-                            picture.rows, webp, size,
+        result.append(Drawn(replace(picture, figure=None), *style.for_page(png, picture.is_mesh),
                             tuple(f"{picture.name}.{form}" for form in kept)))
     return result
-
-
-def cores():
-    return len(os.sched_getaffinity(0))
 
 
 def draw_all(tasks, out, formats, jobs):

@@ -97,8 +97,8 @@ def threads(bench, published):
     text = f"With {most} threads a whole run of the same scene is " + style.listing(
         (f"{p.s:.2f} times as fast" if p.s >= 1 else f"{1 / p.s:.2f} times as slow")
         + f" at {style.whole(size)} triangles" for size, p in sorted(best.items()))
-    table = load.entry(published, "speedup", "scaling_table_10_1")
-    theirs = [row["S"] for row in (table or {"values": []})["values"] if row["n"] == most]
+    theirs = [row["S"] for row in load.values(published, "speedup", "scaling_table_10_1")
+              if row["n"] == most]
     if theirs:
         text += f"; the thesis measured {theirs[0]:.2f} on its own machine"
     return text + _doubt(any(p.doubtful for p in best.values())) + "."

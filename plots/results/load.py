@@ -12,11 +12,13 @@ from dataclasses import dataclass, field
 
 
 class InputFault(Exception):
-    """A result file that cannot be used; its text is one sentence for the user."""
+    """A result that cannot be used or made; its text is one sentence for the user."""
 
 
 @dataclass(frozen=True)
 class Context:
+    """What a result says about where it comes from, as far as it is known."""
+
     machine: str = ""
     commit: str = ""
     cores: int = 0
@@ -26,6 +28,11 @@ class Context:
     date: str = ""
     clock: str = ""
     binding: str = ""
+
+
+def context_of(result):
+    """The Context of a program's own result."""
+    return Context(*(str(result.get(key) or "") for key in ("machine", "commit")))
 
 
 @dataclass
@@ -232,8 +239,7 @@ class Scene:
 
     @property
     def context(self):
-        return Context(machine=str(self.data.get("machine") or ""),
-                       commit=str(self.data.get("commit") or ""))
+        return context_of(self.data)
 
 
 def read_scene(path):
@@ -267,8 +273,7 @@ def read_verify(paths):
     checks, histograms, not_run, context = [], [], {}, Context()
     for path in paths:
         data = read_json(path)
-        context = Context(machine=str(data.get("machine") or ""),
-                          commit=str(data.get("commit") or ""))
+        context = context_of(data)
         for index, check in enumerate(need(data, "checks", path, list)):
             for key in ("check", "verdict"):
                 need(check, key, path, str, f"check {index}")
@@ -314,3 +319,8 @@ def read_published(folder):
 def entry(published, file, identifier):
     """An entry of the published figures, or None where it is missing."""
     return published.get(file, {}).get("entries", {}).get(identifier)
+
+
+def values(published, file, identifier):
+    """The values of such an entry; none where it is missing."""
+    return (entry(published, file, identifier) or {}).get("values", [])

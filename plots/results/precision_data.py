@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from look import style
 from results import load
 
 DEFAULT = "default"
@@ -51,17 +52,7 @@ def read(path):
                                   "is expected.")
     bad = sum(load.number_or_none(data, key) or 0 for key in ("inverted", "unreached"))
     return Run(*words, h, numbers[0], load.number_or_none(data, "sd_rel_half"), numbers[1],
-               bad == 0 and not data.get("gave_up"),
-               load.Context(machine=str(data.get("machine") or ""),
-                            commit=str(data.get("commit") or "")))
-
-
-def _order(names, known):
-    return sorted(names, key=lambda n: (known.index(n) if n in known else len(known), n))
-
-
-def _order_of_group(group):
-    return GROUPS.index(group) if group in GROUPS else len(GROUPS)
+               bad == 0 and not data.get("gave_up"), load.context_of(data))
 
 
 def flows(runs):
@@ -70,10 +61,10 @@ def flows(runs):
     for run in runs:
         found.setdefault(run.flow, {}).setdefault(run.method, []).append(run)
     result = {}
-    for flow in _order(found, FLOWS):
+    for flow in sorted(found, key=lambda flow: style.order(flow, FLOWS)):
         lines = {m: sorted(line, key=lambda r: -r.h) for m, line in found[flow].items()}
-        names = sorted(_order(lines, METHODS), key=lambda m: _order_of_group(lines[m][0].group))
-        result[flow] = {m: lines[m] for m in names}
+        result[flow] = dict(sorted(lines.items(), key=lambda pair: (
+            style.order(pair[1][0].group, GROUPS), style.order(pair[0], METHODS))))
     return result
 
 
@@ -142,11 +133,6 @@ class Mark:
     errors: tuple
 
 
-def _values(published, file, identifier):
-    found = load.entry(published, file, identifier)
-    return found["values"] if found and "values" in found else []
-
-
 def peers(flow, published):
     """The other programs in a flow, as Peers."""
     found = {}
@@ -155,8 +141,8 @@ def peers(flow, published):
         if error and seconds:
             found.setdefault(tool, Peer(tool, is_measured)).points.append((error, seconds))
 
-    scene, _, size = flow.rpartition("-") if flow[-1].isdigit() else (flow, "", "")
-    for v in _values(published, "peers", "official_dsc_scenes"):
+    scene, _, size = flow.rpartition("-") if flow[-1:].isdigit() else (flow, "", "")
+    for v in load.values(published, "peers", "official_dsc_scenes"):
         theirs = str(v.get("steps_each_way", f"{v['period']:g}" if "period" in v else ""))
         if v["scene"] == scene and theirs == size:
             add("official 2D DSC", v.get("sd_rel"), v["seconds"])
@@ -164,14 +150,14 @@ def peers(flow, published):
     if scene == "single-vortex" and area:
         for tool, identifier in (("Basilisk", "basilisk"), ("isoAdvector", "iso_advector"),
                                  ("Gerris", "gerris")):
-            for v in _values(published, "single_vortex", identifier):
+            for v in load.values(published, "single_vortex", identifier):
                 if f"{v['period']:g}" == size:
                     add(tool, v["e1"] / area, v["seconds"])
-        for v in _values(published, "single_vortex", "level_set_leia"):
+        for v in load.values(published, "single_vortex", "level_set_leia"):
             if f"{v['period']:g}" == size:
                 add("level set 512²", v["error"] / area, v["seconds"], False)
     if flow == "zalesak":
-        for v in _values(published, "zalesak", "basilisk"):
+        for v in load.values(published, "zalesak", "basilisk"):
             add("Basilisk", v["l1_rel"], v["seconds"])
     for peer in found.values():
         peer.points.sort(reverse=True)
@@ -186,10 +172,11 @@ def marks(flow, published):
     if flow == "single-vortex-8" and area:
         finest = [v["e1"] / area for k in ("rider_kothe_puckett", "stream_puckett",
                                            "emfpa_puckett", "thinc_qq")
-                  for v in _values(published, "single_vortex", k) if v["N"] == 128]
+                  for v in load.values(published, "single_vortex", k) if v["N"] == 128]
         if finest:
             result.append(Mark("volume of fluid 128²", tuple(finest)))
-        tracked = [v["sd"] / area for v in _values(published, "single_vortex", "front_tracking_jl")]
+        tracked = [v["sd"] / area
+                   for v in load.values(published, "single_vortex", "front_tracking_jl")]
         if tracked:
             result.append(Mark("FrontTrackingMethods.jl", tuple(tracked)))
     if flow == "zalesak":
