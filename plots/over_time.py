@@ -16,10 +16,10 @@ from look import script, style  # first: it says which Python has no matplotlib
 
 from matplotlib.ticker import MaxNLocator
 
-from results.load import InputFault, need, read_json, read_text
+from results.load import InputFault, context_of, need, read_json, read_text
 
-OPERATIONS = {"splits": (style.BLUE, "splits"), "collapses": (style.VERMILLION, "collapses"),
-              "flips": (style.GREEN, "flips"), "smoothed": (style.ORANGE, "smoothed")}
+OPERATIONS = {"splits": style.BLUE, "collapses": style.VERMILLION, "flips": style.GREEN,
+              "smoothed": style.ORANGE}
 NEEDED = ("step", "time", "triangles", "phases", "interface_length", "min_angle_deg", "events",
           "wall_us", *OPERATIONS)
 
@@ -50,37 +50,25 @@ def between(columns, name):
             for (t0, s0, _), (t1, s1, value) in zip(rows, rows[1:]) if s1 > s0]
 
 
-def known(values):
-    return any(math.isfinite(value) for value in values)
+def draw_column(axes, columns, name, colour, title, label):
+    axes.plot(columns["time"], columns[name], color=colour)
+    axes.set(title=title, ylabel=label)
+    axes.set_ylim(bottom=0)
 
 
 def draw_error(axes, columns):
-    time = columns["time"]
-    if known(columns.get("sd_rel", [])):
-        axes.set_title("error against the exact shape")
-        axes.plot(time, columns["sd_rel"], color=style.BLUE)
-        axes.set_ylabel("symmetric difference / area")
-        if max(v for v in columns["sd_rel"] if math.isfinite(v)) > 0:
-            axes.set_yscale("log")
-    else:
-        axes.set_title("length of the interface")
-        axes.plot(time, columns["interface_length"], color=style.BLUE)
-        axes.set_ylabel("domain units")
-        axes.set_ylim(bottom=0)
-
-
-def draw_quality(axes, columns):
-    axes.set_title("worst triangle")
-    axes.plot(columns["time"], columns["min_angle_deg"], color=style.VERMILLION)
-    axes.set_ylabel("smallest angle (degrees)")
-    axes.set_ylim(bottom=0)
+    errors = [value for value in columns.get("sd_rel", []) if math.isfinite(value)]
+    if not errors:
+        draw_column(axes, columns, "interface_length", style.BLUE, "length of the interface",
+                    "domain units")
+        return
+    axes.plot(columns["time"], columns["sd_rel"], color=style.BLUE)
+    axes.set(title="error against the exact shape", ylabel="symmetric difference / area",
+             yscale="log" if max(errors) > 0 else "linear")
 
 
 def draw_size(axes, columns):
-    axes.set_title("size of the mesh")
-    axes.plot(columns["time"], columns["triangles"], color=style.BLUE)
-    axes.set_ylabel("triangles")
-    axes.set_ylim(bottom=0)
+    draw_column(axes, columns, "triangles", style.BLUE, "size of the mesh", "triangles")
     if len(set(columns["phases"])) > 1:
         beside = axes.twinx()
         beside.plot(columns["time"], columns["phases"], color=style.GREEN)
@@ -90,53 +78,53 @@ def draw_size(axes, columns):
 
 
 def draw_work(axes, columns):
-    axes.set_title("operations of a step")
-    for name, (colour, _) in OPERATIONS.items():
-        line = between(columns, name)
-        axes.plot([t for t, _ in line], [v for _, v in line], color=colour)
+    for name, colour in OPERATIONS.items():
+        axes.plot(*zip(*between(columns, name)), color=colour)
+    axes.set(title="operations of a step", ylabel="number")
     axes.set_yscale("symlog", linthresh=1)
     axes.set_ylim(bottom=0)
-    axes.set_ylabel("number")
 
 
-def picture(columns, title, caption):
+def picture(columns, result):
+    """result: what --json wrote of the same run, or None."""
     figure, grid = style.figure(9, 6, 2, 2, sharex=True)
-    for axes, draw in zip(grid.flat, (draw_error, draw_quality, draw_size, draw_work)):
-        draw(axes, columns)
+    error, quality, size, work = grid.flat
+    draw_error(error, columns)
+    draw_column(quality, columns, "min_angle_deg", style.VERMILLION, "worst triangle",
+                "smallest angle (degrees)")
+    draw_size(size, columns)
+    draw_work(work, columns)
+    for axes in grid.flat:
         for start, end, count in zip(columns["time"], columns["time"][1:], columns["events"][1:]):
             if count > 0:
                 axes.axvspan(start, end, color=style.SHADE, zorder=0)
     for axes in grid[1]:
         axes.set_xlabel("time")
         axes.xaxis.set_major_locator(MaxNLocator(5))
-    handles = [style.key(label, colour) for colour, label in OPERATIONS.values()]
+    handles = [style.key(name, colour) for name, colour in OPERATIONS.items()]
     if sum(columns["events"]) > 0:
         handles.append(style.square("the topology changes", style.FAINT))
-    style.finish(figure, title, caption, handles)
-    return figure
+    took = sum(value for value in columns["wall_us"] if math.isfinite(value))
+    title = "A run over time"
+    facts = f"{int(columns['step'][-1])} steps in {style.duration(took)}, without measuring"
+    if result:
+        title = f"{result['scene']} over time, {result['strategy']}"
+        facts += f", {style.counted(result['threads'], 'thread')}"
+    style.finish(figure, title, style.caption_text(result and context_of(result), facts), handles)
+    return style.Picture("over_time", title, facts, figure)
 
 
-def words(columns, result):
-    """Title and caption."""
-    steps = int(columns["step"][-1])
-    took = sum(v for v in columns["wall_us"] if math.isfinite(v))
-    facts = f"{steps} steps in {style.duration(took)}, without measuring"
-    if result is None:
-        return "A run over time", f"machine and commit not recorded\n{facts}"
-    title = f"{result['scene']} over time, {result['strategy']}"
-    where = "  ·  ".join([str(result["machine"]), f"commit {str(result['commit'])[:12]}"])
-    return title, f"{where}\n{facts}, {style.counted(result['threads'], 'thread')}"
+def read_result(path):
+    result = read_json(path)
+    for key, kind in (("scene", str), ("strategy", str), ("machine", str), ("commit", str),
+                      ("threads", float)):
+        need(result, key, path, kind)
+    return result
 
 
 def draw(given):
-    result = read_json(given.json) if given.json else None
-    for key in ("scene", "strategy", "machine", "commit", "threads") if given.json else ():
-        need(result, key, given.json)
-    for path in given.files:
-        columns = read(path)
-        title, caption = words(columns, result)
-        yield style.Picture("over_time", title, caption.split("\n")[1],
-                            picture(columns, title, caption))
+    result = read_result(given.json) if given.json else None
+    return [picture(read(path), result) for path in given.files]
 
 
 def main(argv=None):

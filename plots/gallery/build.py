@@ -9,7 +9,7 @@ from matplotlib.colors import ListedColormap
 
 import frames
 import histograms
-from gallery import figures, layout, runs
+from gallery import figures, layout
 from results import load, load_frames
 
 SIDE = 2.5  # inches of a frame
@@ -29,7 +29,7 @@ def blocks(program, published):
             add = frames_of if isinstance(part, figures.Row) else histogram_of
             try:
                 add(block, part, program, published, f"-{'abcd'[index]}" if index else "")
-            except (runs.NotRun, load.InputFault) as fault:
+            except load.InputFault as fault:
                 failures.append(f"{layout.heading(block)}: {fault}")
                 block.ours.append(str(fault))
         made.append(block)
@@ -45,7 +45,7 @@ def frames_of(block, row, program, published, letter):
     pictures += [("near", row.steps[-1], row.near)] if row.near else []
     for name, step, window in pictures:
         if step not in run.frames:
-            raise runs.NotRun(f"{row.plan.scene} wrote no frame after step {step}.")
+            raise load.InputFault(f"{row.plan.scene} wrote no frame after step {step}.")
         frame = load_frames.read_frame(run.frames[step])
         text = f"a part of step {step}, {window[2]:g} of the domain wide" if window else \
             f"step {step}: {style.whole(len(frame.triangles))} triangles"
@@ -68,7 +68,7 @@ def drawn(row, frame, window):
     if row.look != "phases":
         values = next((v for v in frame.at_vertices.values() if v.ndim == 1), None)
         if values is None:
-            raise runs.NotRun("The frames carry no value at their vertices.")
+            raise load.InputFault("The frames carry no value at their vertices.")
     fills = None if values is None or shaded else REDS(values[frame.triangles].mean(axis=1).clip(0, 1))
     frames.mesh(axes, frame, SIDE, low, high, fills, values is None,
                 style.INTERFACE if values is None else style.SKY)
@@ -97,10 +97,6 @@ def histogram_of(block, part, program, published, _):
     block.ours.append(picture.sentence)
     block.pictures.append(layout.Picture(f"figure-{block.number}.webp", webp(picture.figure),
                                          f"{picture.title}.", is_wide=True))
-
-
-def _theirs(published, identifier):
-    return load.entry(published, "thesis", identifier)
 
 
 def sentence(row, scene):
@@ -136,11 +132,11 @@ def rows_of(row, run, published):
     before = f"{row.label}: " if row.label else ""
     rows = [(f"{before}triangles at step {item['step']}", style.whole(item["triangles"]),
              style.whole(ours), style.digits(ours / item["triangles"]))
-            for item in (_theirs(published, row.triangles)["values"] if row.triangles else ())
+            for item in load.values(published, "thesis", row.triangles)
             if (ours := run.counts.get(item["step"]))]
     area = run.scene.value("area_ratio")
     if row.area_ratio and area is not None:
-        known = _theirs(published, row.area_ratio)["value"]
+        known = load.entry(published, "thesis", row.area_ratio)["value"]
         rows += [(f"{before}last area / first area", f"{known:.7f}", f"{area:.7f}",
                   style.digits(area / known, 5)),
                  (f"{before}area lost or gained / first area", style.digits(abs(known - 1)),

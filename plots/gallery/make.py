@@ -46,14 +46,11 @@ def main(argv=None):
     words.add_argument("--scene", required=True, metavar="FILE", help="the program dsc_scene")
     words.add_argument("--out", required=True, metavar="DIR", help="where the gallery goes")
     given = words.parse_args(argv)
-    try:
-        failures = write(given.scene, given.out)
-    except (runs.NotRun, load.InputFault, OSError) as fault:
-        sys.stderr.write(f"make.py: {fault}\n")
-        return 2
+    failures = []
+    status = script.attempt(words.prog, lambda: failures.extend(write(given.scene, given.out)))
     for failure in failures:
-        sys.stderr.write(f"make.py: {failure}\n")
-    return 1 if failures else 0
+        sys.stderr.write(f"{words.prog}: {failure}\n")
+    return 1 if failures else status
 
 
 if __name__ == "__main__":

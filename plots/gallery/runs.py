@@ -11,10 +11,6 @@ from results import load
 TIME_LIMIT = 120  # seconds that one run may take
 
 
-class NotRun(Exception):
-    """A run without a result; its text is one sentence."""
-
-
 @dataclass(frozen=True)
 class Plan:
     """What is run. Equal plans are run once."""
@@ -42,10 +38,10 @@ class Program:
     def __init__(self, path, folder):
         self.path, self.folder, self._kept = str(path), pathlib.Path(folder), {}
         if "swirl" not in self._call(["list"]):
-            raise NotRun(f"{self.path} lists no scenes: it is not dsc_scene.")
+            raise load.InputFault(f"{self.path} lists no scenes: it is not dsc_scene.")
 
     def run(self, plan, steps=()):
-        """The Run of a plan, with frames at the steps. Throws NotRun."""
+        """The Run of a plan, with frames at the steps. Throws InputFault where there is none."""
         key = plan, steps
         if key not in self._kept:
             self._kept[key] = self._run(plan, steps)
@@ -73,11 +69,12 @@ class Program:
             done = subprocess.run([self.path, *words], capture_output=True, text=True, check=False,
                                   timeout=TIME_LIMIT)
         except OSError as fault:
-            raise NotRun(f"{self.path} cannot be run: {fault.strerror}.") from fault
+            raise load.InputFault(f"{self.path} cannot be run: {fault.strerror}.") from fault
         except subprocess.TimeoutExpired as fault:
-            raise NotRun(f"dsc_scene {' '.join(words[:2])} was stopped after {TIME_LIMIT} s."
-                         ) from fault
+            raise load.InputFault(f"dsc_scene {' '.join(words[:2])} was stopped after {TIME_LIMIT} s."
+                                  ) from fault
         if done.returncode != 0:
             said = (done.stderr.strip().splitlines() or ["no message"])[0]
-            raise NotRun(f"dsc_scene {' '.join(words[:2])} ended with {done.returncode}: {said}")
+            raise load.InputFault(
+                f"dsc_scene {' '.join(words[:2])} ended with {done.returncode}: {said}")
         return done.stdout

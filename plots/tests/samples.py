@@ -9,6 +9,7 @@ import unittest
 
 import report
 from look import style
+from results import load
 
 PLOTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PUBLISHED = os.path.join(PLOTS, "..", "reference", "published")
@@ -35,6 +36,9 @@ SERIES = """step,time,triangles,phases,sd_rel,interface_length,min_angle_deg,col
 """
 RESULT = {"scene": "swirl", "strategy": "cells", "machine": "a machine", "commit": "c0ffee",
           "threads": 2}
+# The figures of a run of the scene rising-bubble.
+BUBBLE = {"scene": "rising-bubble", "cpu_s": 3.0, "rise_velocity_max": 0.2417, "centre_last": 1.08,
+          "circularity_last": 0.92, "machine": "a machine", "commit": "c0ffee"}
 PROFILE = {"us_set_up": 1, "us_hand_over": 0, "us_clean_up": 0, "us_driver": 1,
            "us_upkeep": 10, "us_velocities": 5, "us_movement": 8, "us_mesh_update": 70,
            "us_later_colours": 5}
@@ -52,6 +56,13 @@ DIVIDED = {"colours": [
     {"regions": [{"kind": "whole", "work_us": 0.5}]}]}
 
 
+def name(strategy, triangles, threads=0, cells=0, family="scaling_step", **more):
+    text = f"{family}/strategy:{strategy}/triangles:{triangles}"
+    if threads:
+        text += f"/submeshes:{cells}/threads:{threads}"
+    return text + "".join(f"/{k}:{v}" for k, v in more.items()) + "/iterations:1/manual_time"
+
+
 def row(name, times_us, **counters):
     """The rows that Google Benchmark writes for one benchmark with repetitions."""
     rows = [{"name": name, "run_name": name, "run_type": "iteration", "repetition_index": i,
@@ -63,14 +74,13 @@ def row(name, times_us, **counters):
 
 
 def bench(machine="a machine", commit="c0ffee"):
-    rows = row("scaling_step/strategy:sequential/triangles:28000/iterations:20/manual_time",
-               [100, 130, 110], interface_vertices=100, us_per_vertex_step=1.1)
-    rows += row("scaling_step/strategy:sequential/triangles:280000/iterations:20/manual_time",
-                [400, 440, 420], interface_vertices=400, us_per_vertex_step=1.0)
-    rows += row("scaling_step/strategy:reference/triangles:28000/iterations:1", [220000])
+    rows = row(name("sequential", 28000), [100, 130, 110], interface_vertices=100,
+               us_per_vertex_step=1.1)
+    rows += row(name("sequential", 280000), [400, 440, 420], interface_vertices=400,
+                us_per_vertex_step=1.0)
+    rows += row(name("reference", 28000), [220000])
     for threads, times in ((1, [120, 125, 121]), (2, [60, 55, 50]), (4, [80, 70, 90])):
-        rows += row(f"scaling_step/strategy:cells/triangles:28000/submeshes:8/threads:{threads}"
-                    "/iterations:20/manual_time", times, oversubscribed=int(threads > 2))
+        rows += row(name("cells", 28000, threads, 8), times, oversubscribed=int(threads > 2))
     rows += row("operation/edge_flip", [0.040, 0.044, 0.042])
     rows += row("operation/edge_collapse", [0.3, 0.31, 0.32])
     rows.append({"name": "scaling_step/strategy:copy/triangles:28000", "error_occurred": True,
@@ -80,16 +90,9 @@ def bench(machine="a machine", commit="c0ffee"):
                         "dsc_load": "0.1"}, "benchmarks": rows}
 
 
-def name(strategy, triangles, threads=0, cells=0, family="scaling_step", modelled=False):
-    text = f"{family}/strategy:{strategy}/triangles:{triangles}"
-    if threads:
-        text += f"/submeshes:{cells}/threads:{threads}"
-    return text + ("/modelled:1" if modelled else "") + "/iterations:1/manual_time"
-
-
 def model(triangles, threads, us, cells=0, **more):
     """A modelled row: two per cent of the work is serial."""
-    return row(name("cells", triangles, threads, cells, modelled=True), [us], modelled=1.0,
+    return row(name("cells", triangles, threads, cells, modelled=1), [us], modelled=1.0,
                serial_share=0.02, busy_share=0.9, fork_join_us=0.5, section_start_us=0.8,
                bandwidth_of_one_gb_s=12.5, bandwidth_of_all_gb_s=19.0, load=0.5, **PROFILE, **more)
 
@@ -107,10 +110,10 @@ def parallel_bench(**context):
         rows += row(name("sequential", triangles, family=family), [us])
         rows += row(name("cells", triangles, 2, family=family), [two])
     for between, sequential, cells in ((0, 100, 50), (1000, 130, 100)):
-        of = "scaling_run/strategy:{}/triangles:28000/{}between_us:" + str(between)
+        of = {"family": "scaling_run", "between_us": between}
         counters = {"construction_us": 500 + between, "first_step_us": 70}
-        rows += row(of.format("sequential", ""), [sequential] * 3, **counters)
-        rows += row(of.format("cells", "threads:2/"), [cells, cells - 10, cells + 10], **counters)
+        rows += row(name("sequential", 28000, **of), [sequential] * 3, **counters)
+        rows += row(name("cells", 28000, 2, **of), [cells, cells - 10, cells + 10], **counters)
     return {"context": {"dsc_machine": "a machine", "dsc_commit": "c0ffee", "dsc_cores": "2",
                         **context}, "benchmarks": rows}
 
@@ -179,21 +182,43 @@ class Case(unittest.TestCase):
         for name in ("PNG_DPI", "MESH_DPI"):
             self.addCleanup(setattr, style, name, getattr(style, name))
             setattr(style, name, 40)
+        self.addCleanup(style.plt.close, "all")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
     def write(self, name, data):
-        path = os.path.join(self.folder, name)
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "w", encoding="utf-8") as stream:
-            stream.write(data if isinstance(data, str) else json.dumps(data))
-        return path
+        """Writes bytes, a text or what becomes JSON, and returns the path."""
+        if not isinstance(data, bytes):
+            data = (data if isinstance(data, str) else json.dumps(data)).encode("utf-8")
+        os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)
+        with open(self.path(name), "wb") as stream:
+            stream.write(data)
+        return self.path(name)
+
+    def read_bench(self, data, keep=lambda row: True, change=lambda row: None):
+        rows = [row for row in data["benchmarks"] if keep(row)]
+        for row in rows:
+            change(row)
+        return load.read_bench([self.write("bench.json", {**data, "benchmarks": rows})])
+
+    def frames(self, run, middles, times=()):
+        """The folder of a run's frames. middles: {step: x of the middle vertex}; times: {step: time}."""
+        for step, x in middles.items():
+            self.write(f"frames/{run}_{step:05}.vtu", VTU.format(x=x))
+        if times:
+            self.write(f"frames/{run}.pvd", "<VTKFile><Collection>" + "".join(
+                f'<DataSet timestep="{time}" part="0" file="{run}_{step:05}.vtu"/>'
+                for step, time in times.items()) + "</Collection></VTKFile>")
+        return self.path("frames")
 
     def run_report(self, *words):
         """Exit status, error text, page text."""
         errors = io.StringIO()
-        out = os.path.join(self.folder, "out")
+        out = self.path("out")
         with contextlib.redirect_stderr(errors):
             try:
                 status = report.main(["--jobs", "1", *words, "--out", out])
@@ -217,12 +242,8 @@ class Case(unittest.TestCase):
 
     def inputs(self, few=False):
         """The words of a whole report, or of one with a picture of each kind."""
-        self.write("frames/swirl_sequential_00000.vtu", VTU.format(x=1))
-        self.write("frames/swirl_sequential_00007.vtu", VTU.format(x=1.5))
-        self.write("frames/swirl_sequential.pvd", '<VTKFile><Collection><DataSet timestep="0.5" '
-                   'file="swirl_sequential_00007.vtu"/></Collection></VTKFile>')
-        words = ["--hard", self.write("hard.json", hard_cases()),
-                 "--frames", os.path.join(self.folder, "frames"), "--published", PUBLISHED,
+        words = ["--hard", self.write("hard.json", hard_cases()), "--published", PUBLISHED,
+                 "--frames", self.frames("swirl_sequential", {0: 1, 7: 1.5}, {7: 0.5}),
                  "--verify", self.write("verify.json", verify())]
         if few:
             return words

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Tests of the page itself: what it says first, its verdicts, its tables, its parts."""
-import os
 import pathlib
 import re
 
 import film
 from page import comparison, contents, document, findings, verdicts
 from results import load
-from tests.samples import PUBLISHED, Case, bench, hard_cases, row, scene, verify
+from tests.samples import PUBLISHED, Case, bench, hard_cases, name, row, scene, verify
 
 
 class Words(Case):
@@ -46,8 +45,7 @@ class Words(Case):
         self.assertIn("says nothing", findings.shape([], {}))
 
     def test_a_step_beside_the_literal_method(self):
-        results = load.read_bench([self.write("b.json", bench())])
-        self.assertEqual(findings.step(results),
+        self.assertEqual(findings.step(self.read_bench(bench())),
                          "One time step of a growing circle in a mesh of 28,000 triangles takes 110 µs "
                          "on one thread; the thesis's method, written down literally, takes 220 ms, "
                          "2,000 times as long.")
@@ -55,26 +53,22 @@ class Words(Case):
     def test_threads_of_whole_runs_beside_the_thesis(self):
         data = bench()
         # Warm steps, which gain more, are not what is told.
-        self.assertIn("No whole run", findings.threads(
-            load.read_bench([self.write("b.json", data)]), {}))
-        for strategy, between, times in (("sequential", 0, [300, 310, 320]),
-                                         ("sequential", 5000, [900, 900, 900]),
-                                         ("cells/threads:2", 0, [200, 210, 190]),
-                                         ("cells/threads:2", 5000, [100, 100, 100]),
-                                         ("cells/threads:1", 0, [310, 310, 310])):
-            name, _, threads = strategy.partition("/")
-            data["benchmarks"] += row(
-                f"scaling_run/strategy:{name}/triangles:28000/{threads + '/' if threads else ''}"
-                f"between_us:{between}/iterations:1/manual_time", times)
-        text = findings.threads(load.read_bench([self.write("b.json", data)]),
-                                self.results()["published"])
+        self.assertIn("No whole run", findings.threads(self.read_bench(data), {}))
+        for strategy, threads, between, times in (("sequential", 0, 0, [300, 310, 320]),
+                                                  ("sequential", 0, 5000, [900, 900, 900]),
+                                                  ("cells", 2, 0, [200, 210, 190]),
+                                                  ("cells", 2, 5000, [100, 100, 100]),
+                                                  ("cells", 1, 0, [310, 310, 310])):
+            data["benchmarks"] += row(name(strategy, 28000, threads, family="scaling_run",
+                                           between_us=between), times)
+        text = findings.threads(self.read_bench(data), self.results()["published"])
         self.assertEqual(text, "With 2 threads a whole run of the same scene is 1.55 times as fast "
                          "at 28,000 triangles; the thesis measured 1.47 on its own machine.")
         for one in data["benchmarks"]:
             one["load"] = 1.5
             if "threads:2" in one["name"]:
                 one.update(real_time=620, us_per_step=620)
-        disturbed = load.read_bench([self.write("b.json", data)])
+        disturbed = self.read_bench(data)
         self.assertIn("2.00 times as slow", findings.threads(disturbed, {}))
         for text in (findings.threads(disturbed, {}), findings.step(disturbed)):
             self.assertIn("other programs were busy", text)
@@ -130,7 +124,7 @@ class Words(Case):
         self.assertEqual(rows[0][::2], ["✗ fail", "– (t1)"])
 
     def test_a_refused_benchmark_fails(self):
-        found, _, _ = self.table(bench=load.read_bench([self.write("b.json", bench())]))
+        found, _, _ = self.table(bench=self.read_bench(bench()))
         self.assertEqual(found["Answers checked before they were timed"], "✗ fail")
 
     # The comparison.
@@ -182,12 +176,12 @@ class Words(Case):
     def test_a_film_has_its_place(self):
         self.write("out/bubbles.webp", "a film")
         self.assertIn("data:image/webp;base64,YSBmaWxt",
-                      film.section(pathlib.Path(self.folder) / "out"))
+                      film.section(pathlib.Path(self.path("out"))))
         self.assertEqual(film.section(pathlib.Path(self.folder)), "")
 
     def test_the_gallery_has_its_place(self):
         self.write("out/gallery/section.html", "<p>drawn</p>")
-        found = contents.build(self.results(), {}, os.path.join(self.folder, "out"))
+        found = contents.build(self.results(), {}, self.path("out"))
         self.assertEqual([words[0] for words in found[:4]], ["found", "compared", "frames", "thesis"])
         self.assertEqual(found[3][2], "<p>drawn</p>")
         self.assertNotIn("thesis", [w[0] for w in contents.build(self.results(), {}, "out")])

@@ -3,7 +3,6 @@
 import math
 import os
 
-import matplotlib.pyplot as plt
 import numpy
 
 import breakdown
@@ -14,19 +13,12 @@ import step_cost
 import submeshes
 from look import style
 from results import load, load_frames, series
-from tests.samples import DIVIDED, PUBLISHED, VTU, Case, box, parallel_bench
+from tests.samples import DIVIDED, PUBLISHED, Case, box, parallel_bench
 
 
 class Parallel(Case):
-    def tearDown(self):
-        plt.close("all")
-
-    def results(self, keep=lambda row: True, change=lambda row: None):
-        data = parallel_bench()
-        data["benchmarks"] = [row for row in data["benchmarks"] if keep(row)]
-        for row in data["benchmarks"]:
-            change(row)
-        return load.read_bench([self.write("bench.json", data)])
+    def results(self, **changes):
+        return self.read_bench(parallel_bench(), **changes)
 
     # Modelled rows.
 
@@ -152,12 +144,9 @@ class Parallel(Case):
 
     # Submeshes.
 
-    def frames(self, division=None):
-        self.write("frames/swirl_cells_00000.vtu", VTU.format(x=1))
-        path = self.write("frames/swirl_cells_00007.vtu", VTU.format(x=1.5))
-        if division is not None:
-            self.write("frames/swirl_cells_00007.submeshes.json", division)
-        return os.path.dirname(path)
+    def divided(self, division):
+        self.write("frames/swirl_cells_00007.submeshes.json", division)
+        return self.frames("swirl_cells", {0: 1, 7: 1.5})
 
     def test_ownership(self):
         points = numpy.array([[0.0, 0.0], [0.5, 0.0], [1.0, 1.0], [0.2, 3.0]])
@@ -174,7 +163,7 @@ class Parallel(Case):
         self.assertEqual(owned(normal=(0.0, 1.0), side_high=-0.4), [False, True, True, False])
 
     def test_a_triangle_belongs_where_all_its_vertices_do(self):
-        (division,) = submeshes.read(self.frames(DIVIDED))
+        (division,) = submeshes.read(self.divided(DIVIDED))
         self.assertEqual((division.scene, division.strategy, division.number), ("swirl", "cells", 7))
         # Triangles of the square: bottom, right, top, left; the middle vertex is at x = 1.5.
         self.assertEqual([list(submeshes.owners(c, division.frame)) for c in division.colours],
@@ -193,9 +182,9 @@ class Parallel(Case):
         for change, words in ((dict(kind="star"), ("star", "box or whole", "region 0 of colour 0")),
                               (dict(normal=[2.0, 0.0]), ("vector of length 1",)),
                               (dict(low="left"), ("low", "finite number"))):
-            folder = self.frames({"colours": [{"regions": [{**box(), **change}]}]})
+            folder = self.divided({"colours": [{"regions": [{**box(), **change}]}]})
             self.assert_refused(["--frames", folder], *words)
-        self.assert_refused(["--frames", self.frames({"colours": []})], "no region")
+        self.assert_refused(["--frames", self.divided({"colours": []})], "no region")
         os.remove(os.path.join(folder, "swirl_cells_00007.submeshes.json"))
         page = self.run_report("--frames", folder, "--formats", "png")[2]
         self.assertIn("No frame was written together with its submeshes.", page)

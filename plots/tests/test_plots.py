@@ -2,11 +2,8 @@
 """Tests of the report and of its pictures: small result files are made here, drawn, and their numbers
 checked."""
 import os
-import subprocess
-import sys
 import unittest
 
-import matplotlib.pyplot as plt
 from matplotlib.collections import PathCollection
 
 import frames
@@ -15,7 +12,7 @@ import operations
 import step_cost
 from look import style
 from results import load, load_frames, series
-from tests.samples import PLOTS, PUBLISHED, VTU, Case, bench, row, scene, verify
+from tests.samples import PUBLISHED, VTU, Case, bench, row, scene, verify
 from tests.test_gallery import Gallery  # noqa: F401  (the tests of these files run with these)
 from tests.test_page import Words  # noqa: F401
 from tests.test_parallel import Parallel  # noqa: F401
@@ -23,15 +20,10 @@ from tests.test_precision import Precision  # noqa: F401
 
 
 class Plots(Case):
-    def bench(self, change=lambda data: None):
-        data = bench()
-        change(data)
-        return load.read_bench([self.write("bench.json", data)])
-
     # The whole report.
 
     def files(self):
-        out, result = os.path.join(self.folder, "out"), {}
+        out, result = self.path("out"), {}
         for name in os.listdir(out):
             with open(os.path.join(out, name), "rb") as stream:
                 result[name] = stream.read()
@@ -48,7 +40,7 @@ class Plots(Case):
             self.assertTrue(files[f"{name}.png"].startswith(b"\x89PNG"), name)
             self.assertEqual(files[f"{name}.png"][25], 3, f"{name}.png has no palette")
         self.assertEqual(page.count("data:image/webp;base64,"), len(names))
-        self.assertEqual([n for n in files if n.endswith(".part")], [])
+        self.assertEqual({n.rpartition(".")[2] for n in files}, {"png", "html"})
         for words in ("<figcaption>Swirl at the beginning and at the end", "the mesh is not valid",
                       "All 2 figures that the gate compared with limits are within them.", "0.994864"):  # the thesis's area ratio beside ours
             self.assertIn(words, page)
@@ -72,13 +64,6 @@ class Plots(Case):
                          "The scenes were not run.", "No published figures were given"):
             self.assertIn(sentence, page)
         self.assertNotIn("<img", page)
-
-    def test_works_as_a_program(self):
-        done = subprocess.run([sys.executable, os.path.join(PLOTS, "report.py"), "--formats", "png",
-                               "--bench", self.write("bench.json", bench()), "--out",
-                               os.path.join(self.folder, "out")], capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertFalse(os.path.exists(os.path.join(self.folder, "out", "step_cost.svg")))
 
     # Bad input; whole files that are wrong are in test_scripts.
 
@@ -114,51 +99,48 @@ class Plots(Case):
         self.assertIn("95 %", style.bars_text([6]))
 
     def test_speedup_is_ratio_of_medians(self):
-        points = {p.n: p for p in series.speedups(series.rows(self.bench()))}
+        points = {p.n: p for p in series.speedups(series.rows(self.read_bench(bench())))}
         self.assertEqual(points[2].s, 110 / 55)
         self.assertEqual(points[2].u, 110 / 55 / 2)
         self.assertEqual(points[2].interval, (110 / 60, 110 / 55, 110 / 50))
         self.assertEqual(points[1].s, 110 / 121)
         self.assertEqual([n for n, p in points.items() if p.row.oversubscribed], [4])
-        without = self.bench(lambda data: data.update(benchmarks=[
-            r for r in data["benchmarks"] if "sequential" not in r["name"]]))
+        without = self.read_bench(bench(), keep=lambda row: "sequential" not in row["name"])
         self.assertEqual(series.speedups(series.rows(without)), [])
 
     def test_oversubscribed_by_counter_or_by_cores(self):
         for counter, cores, expected in ((None, "2", [4]), (None, "4", []), (0, "2", [4]),
                                          (1, "8", [4]), (None, "", [])):
-            def change(data, counter=counter, cores=cores):
-                data["context"]["dsc_cores"] = cores
-                for item in data["benchmarks"]:
-                    if item.pop("oversubscribed", None) and counter is not None:
-                        item["oversubscribed"] = counter
-            found = series.rows(self.bench(change))
+            def change(item, counter=counter):
+                if item.pop("oversubscribed", None) and counter is not None:
+                    item["oversubscribed"] = counter
+            data = bench()
+            data["context"]["dsc_cores"] = cores
+            found = series.rows(self.read_bench(data, change=change))
             self.assertEqual([r.threads for r in found if r.oversubscribed], expected,
                              (counter, cores))
 
     def test_aggregates_alone(self):
-        found = series.rows(self.bench(lambda data: data.update(benchmarks=[
+        found = series.rows(self.read_bench({**bench(), "benchmarks": [
             {"name": "scaling_step/strategy:sequential/triangles:10_median", "time_unit": "ms",
              "run_name": "scaling_step/strategy:sequential/triangles:10", "real_time": 3.0,
-             "run_type": "aggregate", "aggregate_name": "median"}])))
+             "run_type": "aggregate", "aggregate_name": "median"}]}))
         self.assertEqual([r.times for r in found], [[3000.0]])
 
     def test_sentences_say_the_numbers(self):
-        published = load.read_published(PUBLISHED)
-        steps, vertices = step_cost.draw(self.bench(), published)
+        published, results = load.read_published(PUBLISHED), self.read_bench(bench())
+        steps, vertices = step_cost.draw(results, published)
         self.assertIn("10 times as many triangles makes a step 3.8 times as long: 420 µs in place of "
                       "110 µs", steps.sentence)
         self.assertIn("from 1.00 µs to 1.10 µs", vertices.sentence)
         self.assertIn("from 42.0 ns (edge flip) to 310 ns (edge collapse)",
-                      operations.draw(self.bench(), published)[0].sentence)
-        one = self.bench(lambda data: data.update(benchmarks=[
-            r for r in data["benchmarks"] if "280000" not in r["name"]]))
+                      operations.draw(results, published)[0].sentence)
+        one = self.read_bench(bench(), keep=lambda row: "280000" not in row["name"])
         self.assertIn("a step of 28,000 triangles takes 110 µs", step_cost.draw(one, {})[0].sentence)
-        plt.close("all")
 
     def test_items_per_second_is_the_cost_of_an_operation(self):
-        found = self.bench(lambda data: data.update(
-            benchmarks=row("operation/edge_flip", [100.0], items_per_second=2.5e7)))
+        found = self.read_bench({**bench(), "benchmarks": row(
+            "operation/edge_flip", [100.0], items_per_second=2.5e7)})
         self.assertEqual(operations.costs(found), [("edge flip", [40.0])])
 
     def test_a_step_has_its_stars_and_edits_as_a_bound(self):
@@ -167,12 +149,12 @@ class Plots(Case):
         costs = [part for name, rate in (("kernel/gather_ring", 2e7), ("operation/edge_flip", 1e7),
                                          ("operation/edge_split", 5e6), ("operation/edge_collapse", 2e6))
                  for part in row(name, [100.0], items_per_second=rate)]
-        found = self.bench(lambda data: data.update(benchmarks=step + costs))
+        data = {**bench(), "benchmarks": step + costs}
+        found = self.read_bench(data)
         self.assertAlmostEqual(step_cost.floor(found, series.rows(found)[0]),
                                100 * 2 / 20 + 10 / 10 + 2 / 5 + 1 / 2)
         for part in range(len(costs)):
-            fewer = self.bench(lambda data: data.update(
-                benchmarks=step + [c for c in costs if c["run_name"] != costs[part]["run_name"]]))
+            fewer = self.read_bench(data, lambda row: row["run_name"] != costs[part]["run_name"])
             self.assertIsNone(step_cost.floor(fewer, series.rows(fewer)[0]))
 
     def test_histogram_median_and_distance(self):
@@ -183,7 +165,6 @@ class Plots(Case):
         self.assertIn("differ in at most 10.0 % of the triangles",
                       histograms.draw([], found, {})[0].sentence)
         self.assertEqual(histograms.draw([], found, {}, shown=set()), [])
-        plt.close("all")
 
     def test_frame_interface_and_area(self):
         shown = [(k, None, load_frames.read_frame(self.write(f"f{k}.vtu", VTU.format(x=x))))
@@ -197,31 +178,26 @@ class Plots(Case):
         self.assertIn("its area is the same to 0.001 %", frames.plain("swirl", shown[:1] * 2))
 
     def test_frames_are_found_by_their_names(self):
-        for name in ("swirl_cells_00003", "swirl_sequential_00000", "swirl_sequential_00012",
-                     "swirl_sequential_00003", "swirl_sequential_00007", "swirl-t1_cells_00000"):
-            self.write(f"frames/{name}.vtu", VTU.format(x=1))
-        runs = frames.read(os.path.join(self.folder, "frames"))
+        for run, steps in (("swirl_cells", [3]), ("swirl_sequential", [0, 12, 3, 7]),
+                           ("swirl-t1_cells", [0])):
+            self.frames(run, dict.fromkeys(steps, 1))
+        runs = frames.read(self.path("frames"))
         # Of several strategies one is drawn, at its first, middle and last frame.
         self.assertEqual([(*run[:2], [n for n, _, _ in run[2]]) for run in runs],
                          [("swirl", "sequential", [0, 3, 12]), ("swirl-t1", "cells", [0])])
 
     def test_events_are_drawn_with_the_frame_after_them(self):
-        self.write("frames/swirl_sequential_00000.vtu", VTU.format(x=1))
-        self.write("frames/swirl_sequential_00007.vtu", VTU.format(x=1.5))
-        self.write("frames/swirl_sequential.pvd", """<VTKFile><Collection>
-            <DataSet timestep="0" file="swirl_sequential_00000.vtu"/>
-            <DataSet timestep="0.5" file="swirl_sequential_00007.vtu"/></Collection></VTKFile>""")
+        folder = self.frames("swirl_sequential", {0: 1, 7: 1.5}, {0: 0, 7: 0.5})
         line = '{"kind": "%s", "time": %s, "x": 1, "y": 0.5}\n'
-        path = self.write("frames/swirl_sequential.events.jsonl",
-                          line % ("merge", 0.25) + line % ("split", 0.5) + line % ("fill", 0.75))
-        picture = next(frames.draw(frames.read(os.path.dirname(path))))
+        self.write("frames/swirl_sequential.events.jsonl",
+                   line % ("merge", 0.25) + line % ("split", 0.5) + line % ("fill", 0.75))
+        picture = next(frames.draw(frames.read(folder)))
         self.assertIn("phases met or parted 3 times", picture.sentence)
         marks = [[c for c in axes.collections if isinstance(c, PathCollection)]
                  for axes in picture.figure.axes[:2]]
         self.assertEqual([len(found) for found in marks], [0, 2])  # one is still to come
-        plt.close("all")
         self.write("frames/swirl_sequential.events.jsonl", line % ("merge", 0.25) + '{"kind": ')
-        self.assert_refused(["--frames", os.path.dirname(path)], "line 2", "truncated")
+        self.assert_refused(["--frames", folder], "line 2", "truncated")
 
     def test_numbers_for_people(self):
         self.assertEqual([style.digits(v) for v in (0, 0.01234, 5.2e-5, 123456.0, None)],

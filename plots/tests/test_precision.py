@@ -3,8 +3,6 @@
 hard cases, with made-up results whose answers are known."""
 import math
 
-import matplotlib.pyplot as plt
-
 import convergence
 import precision
 from page import hard_cases
@@ -16,9 +14,6 @@ from tests.samples import precision_run, precision_runs
 
 
 class Precision(Case):
-    def tearDown(self):
-        plt.close("all")
-
     def read(self, *runs):
         return [data.read(self.write(f"p{k}.json", run)) for k, run in enumerate(runs)]
 
