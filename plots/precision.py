@@ -40,7 +40,7 @@ PEER_MARKERS = {"official 2D DSC": "*", "Basilisk": "p", "isoAdvector": "<", "Ge
                 "level set 512²": ">"}
 PANELS = {"other": "Against others", "time": "Steps in time",
           "upkeep": "Insertion and coarsening\nof the interface"}
-MOMENTS = {"last": "at the end", "half": "half-way, where the shape is most stretched"}
+MOMENTS = {"last": "At the end", "half": "Half-way, where the shape is most stretched"}
 
 
 def shown(lines, panel):
@@ -120,9 +120,9 @@ def _keys(lines, peers, marks):
 
 
 def draw(runs, published):
-    """One Picture for each flow."""
+    """One Picture for each flow with an error above zero."""
     return [_one(flow, lines, data.peers(flow, published), data.marks(flow, published))
-            for flow, lines in data.flows(runs).items()]
+            for flow, lines in data.flows(runs).items() if any(map(data.points, lines.values()))]
 
 
 def _one(flow, lines, peers, marks):
@@ -145,7 +145,7 @@ def _one(flow, lines, peers, marks):
                               **style.other(PEER_MARKERS.get(peer.tool, "p")))
             axes.margins(0.07)
             if row == 0:
-                axes.set_title(MOMENTS[moment][0].upper() + MOMENTS[moment][1:])
+                axes.set_title(MOMENTS[moment])
         grid[row][0].set_ylabel("CPU time")
         _marks(grid[row][0], beside[1])
         low, high = grid[row][0].get_xlim()
@@ -176,22 +176,23 @@ def _one(flow, lines, peers, marks):
 def plain(lines, peers):
     """The default beside the most precise point of another program that it reaches, or alone."""
     title = next(iter(lines.values()))[0].title
-    if data.DEFAULT not in lines:
+    ours = data.points(lines.get(data.DEFAULT, []))
+    if not ours:
         return f"{title}: the default method was not run, so there is nothing to compare with."
     reached = [(e, t, p.tool, mine) for p in peers if p.is_measured for e, t in p.points
                if (mine := data.time_at(lines[data.DEFAULT], e)) is not None]
     if reached:
         error, theirs, tool, mine = min(reached)
         factor = style.digits(max(theirs / mine, mine / theirs), 2)
-        text = (f"At an error of {style.digits(error)}, that of {tool} after "
+        text = (f"at an error of {style.digits(error)}, that of {tool} after "
                 f"{style.duration(theirs * 1e6)}, the default takes {style.duration(mine * 1e6)}, "
                 f"{factor} times {'less' if theirs >= mine else 'as much'}")
     else:
-        error, mine, run = data.points(lines[data.DEFAULT])[-1]
-        text = (f"With edges of length {data.length(run.h)} the default errs by "
+        error, mine, run = ours[-1]
+        text = (f"with edges of length {data.length(run.h)} the default errs by "
                 f"{style.digits(error)} after {style.duration(mine * 1e6)}")
     broken = {r.method for line in lines.values() for r in line if not r.holds}
-    return f"{title}: {text[0].lower()}{text[1:]}" + (
+    return f"{title}: {text}" + (
         f"; a triangle was inverted or a vertex did not arrive with {style.listing(sorted(broken))}."
         if broken else ".")
 

@@ -16,6 +16,7 @@ def read(path):
         for key in ("name", "asked", "what_happened"):
             load.need(case, key, path, str, f"case {index}")
         load.need(case, "holds", path, bool, f"case {index}")
+        load.listed(case, "failures", path)
     return cases
 
 
@@ -32,11 +33,6 @@ def _measured(case):
     return ", ".join(f"{k.replace('_', ' ')} {show(v)}" for k, v in values.items())
 
 
-def _happened(case):
-    failures = case.get("failures")
-    return "; ".join([case["what_happened"]] + [f"fails: {f}" for f in failures or []])
-
-
 def table(cases):
     """The sentence and the table, or nothing."""
     if not cases:
@@ -45,7 +41,8 @@ def table(cases):
     text = (f"{len(failed)} of {style.counted(len(cases), 'hard case')} "
             f"{'does' if len(failed) == 1 else 'do'} not hold: {style.listing(failed)}."
             if failed else f"All {style.counted(len(cases), 'hard case')} hold.")
-    rows = [[c["name"], c["asked"], _measured(c), _happened(c),
+    rows = [[c["name"], c["asked"], _measured(c),
+             "; ".join([c["what_happened"], *(f"fails: {f}" for f in c.get("failures") or ())]),
              "✓ holds" if c["holds"] else "✗ fails"] for c in cases]
     marks = {(r, 4): "good" if c["holds"] else "bad" for r, c in enumerate(cases)}
     return page.paragraph(text) + page.table(

@@ -121,6 +121,11 @@ def need(data, key, path, kind=None, where=""):
     return value
 
 
+def listed(data, key, path, kind=list):
+    """data[key], checked; an empty list, or what else is expected, where there is none."""
+    return kind() if data.get(key) is None else need(data, key, path, kind)
+
+
 def number_or_none(data, key):
     value = data.get(key)
     good = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -143,7 +148,7 @@ def _context(data):
 
     try:
         cores = int(float(text("dsc_cores") or 0))
-    except ValueError:
+    except (ValueError, OverflowError):
         cores = 0
     return Context(text("dsc_machine"), text("dsc_commit"), cores, text("dsc_compiler"),
                    text("dsc_build_type"), text("dsc_load"), text("date"), text("dsc_clock"), text("dsc_binding"))
@@ -167,18 +172,19 @@ def read_bench(paths):
             where = f"benchmark {index}"
             name = need(row, "name", path, str, where)
             where = f"benchmark '{name}'"
+            row = {"run_name": name, "time_unit": "ns", **row}
             if row.get("error_occurred"):
                 refused.append((name, str(row.get("error_message", ""))))
                 continue
             aggregate = row.get("run_type") == "aggregate"
             if aggregate and row.get("aggregate_name") != "median":
                 continue
-            unit = row.get("time_unit", "ns")
+            unit = need(row, "time_unit", path, str, where)
             if unit not in NANOSECONDS:
                 raise InputFault(f"{path} has time unit '{unit}' in {where}, where ns, us, ms or "
                                  "s is expected.")
             time = need(row, "real_time", path, float, where) * NANOSECONDS[unit]
-            run = row.get("run_name", name)
+            run = need(row, "run_name", path, str, where)
             values = {k: float(v) for k, v in row.items()
                       if k not in NOT_COUNTERS and isinstance(v, (int, float))
                       and not isinstance(v, bool)}
@@ -249,9 +255,7 @@ def read_scene(path):
     strategy = need(data, "strategy", path, str)
     for key in ("triangles_last", "area_ratio"):
         need(data, key, path)
-    shapes = data.get("histograms") or {}
-    if not isinstance(shapes, dict):
-        raise InputFault(f"{path} has histograms that are not an object of quantities.")
+    shapes = listed(data, "histograms", path, dict)
     histograms = [_histogram(shapes[q], path, name, strategy, q) for q in sorted(shapes)]
     return Scene(path, name, strategy, data, histograms)
 
@@ -275,17 +279,18 @@ def read_verify(paths):
         data = read_json(path)
         context = context_of(data)
         for index, check in enumerate(need(data, "checks", path, list)):
-            for key in ("check", "verdict"):
+            for key in ("check", "scene", "verdict"):
                 need(check, key, path, str, f"check {index}")
-            for key in ("scene", "measured", "limit"):
+            for key in ("measured", "limit"):
                 need(check, key, path, None, f"check '{check['check']}'")
             checks.append(check)
-        for index, item in enumerate(data.get("histograms") or []):
+        for index, item in enumerate(listed(data, "histograms", path)):
             words = [need(item, key, path, str, f"histogram {index}")
                      for key in ("scene", "strategy", "quantity")]
             histograms.append(_histogram(item, path, *words))
-        for index, check in enumerate(data.get("not_run") or []):
+        for index, check in enumerate(listed(data, "not_run", path)):
             not_run[need(check, "check", path, str, f"entry {index} of 'not_run'")] = check
+            listed(check, "scenes", path)
     ran = {check["check"] for check in checks}
     return Verify(context, checks, histograms,
                   [check for name, check in not_run.items() if name not in ran])

@@ -73,11 +73,13 @@ class Plots(Case):
                  ("real_time", "strategy:sequential/triangles:28000")),
                 ("--bench", bench(), lambda d: d["benchmarks"][0].update(real_time="fast"),
                  ("real_time", "fast")),
+                ("--bench", bench(), lambda d: d["benchmarks"][0].update(run_name=3), ("run_name",)),
                 ("--scenes", scene(0.01, 1e-3, 1), lambda d: d.pop("strategy"), ("strategy",)),
                 ("--verify", verify(), lambda d: d["checks"][0].pop("limit"),
                  ("limit", "area drift")),
                 ("--verify", verify(), lambda d: d["histograms"][0]["counts"].pop(),
-                 ("4 edges and 2 counts",))):
+                 ("4 edges and 2 counts",)),
+                ("--verify", verify(), lambda d: d.update(not_run=3), ("not_run", "list"))):
             change(data)
             self.assert_refused([option, self.write("bad.json", data)], "bad.json", *words)
         self.assert_refused(["--bench", self.write("a.json", bench()),

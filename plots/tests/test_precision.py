@@ -125,6 +125,8 @@ class Precision(Case):
         self.assertEqual(len(picture.rows), 16)
         runs = [precision_run("zalesak", "default", h, h ** 4, 1 / h) for h in (0.02, 0.01)]
         self.assertEqual(len(precision.draw(self.read(*runs), {})[0].figure.axes), 1)
+        exact = precision_run("zalesak", "default", 0.01, 0, 1)
+        self.assertEqual(precision.draw(self.read(exact), {}), [])  # no logarithm shows it
 
     def test_looks_of_a_panel_differ_in_colour_and_marker(self):
         groups = (("default", "euler", "centred", "midpoint", "adaptive"),
