@@ -31,7 +31,7 @@ OF_REPORT = "bubbles.webp"
 
 def drawn(frame, time, most):
     """A frame as an image; most: the speed at the end of the scale, None where nothing flows."""
-    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    low, high = frame.box()
     across, up = SIDE * (high - low) / (high - low).min()
     figure = pyplot.figure(figsize=(across, up + 0.25), dpi=DPI)
     axes = figure.add_axes((0, 0, 1, up / (up + 0.25)))

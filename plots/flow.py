@@ -41,9 +41,8 @@ def panel(axes, frame, most):
                            cmap="viridis", vmin=0, vmax=most, rasterized=True)
     axes.add_collection(LineCollection(frame.points[frames.interface(frame)], colors="white",
                                        linewidths=1.6, capstyle="round"))
-    axes.set_xlim(*(f(frame.points[:, 0]) for f in (min, max)))
-    axes.set_ylim(*(f(frame.points[:, 1]) for f in (min, max)))
-    axes.set_aspect("equal")
+    low, high = frame.box()
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     axes.grid(False)
     return shown
 

@@ -57,7 +57,7 @@ def areas(frame):
 def window(frame, count=CLOSE_COUNT, centre=None):
     """Corners (low, high) of a square with about `count` triangles, inside the domain if it is
     large enough; at the top of the interface where no centre is given."""
-    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    low, high = frame.box()
     ends = frame.points[interface(frame)].reshape(-1, 2)
     if centre is None:
         centre = ends[ends[:, 1].argmax()] if len(ends) else (low + high) / 2
@@ -91,11 +91,7 @@ def mesh(axes, frame, inches, low, high, fills=None, edges=True, line=style.INTE
         linewidths=max(width, 0.02)))
     axes.add_collection(LineCollection(frame.points[interface(frame)], colors=line,
                                        linewidths=1.5, capstyle="round", zorder=3))
-    axes.set_xlim(low[0], high[0])
-    axes.set_ylim(low[1], high[1])
-    axes.set_aspect("equal")
-    axes.set_xticks([])
-    axes.set_yticks([])
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal", xticks=[], yticks=[])
     for spine in axes.spines.values():
         spine.set_visible(False)
 
@@ -183,7 +179,7 @@ def _one(scene, strategy, shown, events, context):
         len(shown), gridspec_kw={"height_ratios": [tall, side] if near else [1]})
     before = -numpy.inf
     for column, (number, time, frame) in enumerate(shown):
-        low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+        low, high = frame.box()
         slack = 0.004 * (high - low).max()
         mesh(grid[0][column], frame, side, low - slack, high + slack)
         recent = []

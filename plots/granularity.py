@@ -43,7 +43,7 @@ def judged(points, n):
     all scenes, for the strategy with the most points (of two with as many, the better one)."""
     here = [p for p in points if p.n == n]
     here = [p for p in here if p.row.family == series.GRANULARITY] or here
-    lines = series.by_label(here, lambda p: p.row.label).values()
+    lines = series.by_label(here).values()
     return max(lines, key=lambda line: (len(line), max(p.s for p in line)), default=[])
 
 
@@ -86,7 +86,7 @@ def _panel(axes, points, looks):
     axes.axhline(1 / n, color=style.MUTED, linewidth=0.9, zorder=2)
     for p in points:
         style.points(axes, [(p.base.median, [s / n for s in p.interval], p.doubtful)],
-                     looks[p.row.label][0], MARKERS.get(p.row.family, "p"))
+                     looks[p.label][0], MARKERS.get(p.row.family, "p"))
     found = threshold(judged(points, n))
     if found and found[1]:
         axes.axvline(found[0], color=style.INK, linewidth=0.9, linestyle=style.DOTTED, zorder=2)
@@ -97,7 +97,7 @@ def _panel(axes, points, looks):
 
 def _picture(points, context):
     columns = sorted({p.n for p in points})[:MOST]
-    looks = series.looks(series.by_label(points, lambda p: p.row.label))
+    looks = series.looks(series.by_label(points))
     fig, grid = style.figure(max(7.2, 0.5 + 3.6 * len(columns)), 5.0, 1, len(columns),
                              sharey=True)
     for axes, n in zip(grid[0], columns):
@@ -121,7 +121,7 @@ def _table(points):
               "S(n) / n", "pays", ""]
     points = sorted(points, key=lambda p: (p.n, p.base.median, style.order(p.row.strategy)))
     return header, [
-        [series.title(p.row.family), style.whole(p.row.triangles), p.row.label, str(p.n),
+        [series.title(p.row.family), style.whole(p.row.triangles), p.label, str(p.n),
          style.duration(p.base.median), style.duration(p.row.median), f"{p.s:.2f}",
          f"{p.u:.2f}", "yes" if p.s > 1 else "no", ", ".join(p.flags())] for p in points]
 

@@ -126,7 +126,7 @@ def _one(scene, quantity, found, published, context):
         conditions += f"The thesis's {twin}"
         conditions += (f" has {style.whole(theirs['value'])} triangles (sequential)."
                        if theirs and scene == "speedup-scaling" else " shows the same.")
-    name = f"{quantity[0].upper()}{quantity[1:]} of the triangles: {scene}"
+    name = f"{style.capital(quantity)} of the triangles: {scene}"
     style.finish(fig, name, style.caption_text(context, conditions))
     return style.Picture(f"histogram_{scene}_{quantity}", name, plain(scene, quantity, found),
                          fig)

@@ -36,7 +36,7 @@ IDEAL, BOUND = (0, (4, 3)), (0, (1, 1))
 class Other:
     """S(n) of another program."""
 
-    name: str
+    label: str
     marker: str
     triangles: float  # 0: not stated
     n: int
@@ -52,10 +52,6 @@ class Family:
     models: list    # modelled
     thesis: object = None  # its entry of the published figures
     others: tuple = ()
-
-    @property
-    def title(self):
-        return series.title(self.name) + (", whole runs" if self.name.endswith("_run") else "")
 
     @property
     def sizes(self):
@@ -75,11 +71,6 @@ class Family:
     def others_at(self, size):
         """Points of other programs at about this size, and those of programs that state no size."""
         return [o for o in self.others if not o.triangles or 0.5 < o.triangles / size < 2]
-
-    def best(self):
-        """The largest gain with several threads and a core for each, or None."""
-        within = [p for p in self.points if not p.row.oversubscribed and p.n > 1]
-        return max([p for p in within if not p.doubtful] or within, key=lambda p: p.s, default=None)
 
 
 def others(published):
@@ -129,7 +120,7 @@ def error(model, points):
 def amdahl(points):
     """{label: the serial share of the work as measured with most threads}; as Amdahl's law has it,
     S(n) is at most 1 / (share + (1 - share) / n)."""
-    return {p.row.label: share for p in sorted(points, key=lambda p: p.n)
+    return {p.label: share for p in sorted(points, key=lambda p: p.n)
             if (share := p.row.measurement.counter("serial_share")) is not None}
 
 
@@ -169,7 +160,7 @@ def _axes(axes, family, quantity, cores, is_over):
 
 def _grey(other):
     return {**style.other(other.marker),
-            **(style.hollow(style.MUTED) if other.name.endswith("modelled") else {})}
+            **(style.hollow(style.MUTED) if other.label.endswith("modelled") else {})}
 
 
 def _panel(axes, family, size, quantity, looks):
@@ -184,7 +175,7 @@ def _panel(axes, family, size, quantity, looks):
     theirs = [(t["n"], t["S"], style.other("*")) for t in family.theirs]
     for n, s, marks in theirs + [(o.n, o.s, _grey(o)) for o in family.others_at(size)]:
         axes.plot([n], [s / n ** power], color=style.MUTED, linestyle="none", zorder=2.6, **marks)
-    lines = series.by_label(here, lambda p: p.row.label)
+    lines = series.by_label(here)
     for index, (label, line) in enumerate(lines.items()):
         # Series are shifted sideways so that markers and bars of equal height stay visible.
         shift = 1 + (0.045 if family.top > WIDE else 0.03) * (index - (len(lines) - 1) / 2)
@@ -195,19 +186,19 @@ def _panel(axes, family, size, quantity, looks):
         axes.plot([x for x, _ in busy], [u for _, u in busy], linestyle="none", marker="_",
                   markersize=13, markeredgewidth=2, color=looks[label][0], zorder=3.1)
     models = [p for p in family.models if p.row.triangles == size]
-    for label, line in series.by_label(models, lambda p: p.row.label).items():
+    for label, line in series.by_label(models).items():
         axes.plot([p.n for p in line], [p.s / p.n ** power for p in line], color=looks[label][0],
                   linestyle=style.DASHED, linewidth=1.3, marker=looks[label][1], zorder=3.6,
                   **style.hollow(looks[label][0]))
 
 
 def _legend(family, looks):
-    measured = {p.row.label for p in family.points}
+    measured = {p.label for p in family.points}
     handles = [style.key(label, *look, line="none") for label, look in looks.items()
                if label in measured]
     handles += [style.key(f"{label}, modelled", *looks[label], line=style.DASHED, width=1.3,
                           marking=style.hollow)
-                for label in dict.fromkeys(p.row.label for p in family.models)]
+                for label in dict.fromkeys(p.label for p in family.models)]
     if any(p.doubtful for p in family.points):
         handles.append(style.key("oversubscribed or under load", style.MUTED, "o", "none",
                                  style.doubtful))
@@ -222,13 +213,13 @@ def _legend(family, looks):
         handles.append(style.key(THESIS[family.name][1], style.MUTED, line="none",
                                  marks=style.other("*")))
     shown = [o for size in family.sizes for o in family.others_at(size)]
-    return handles + [style.key(name, style.MUTED, line="none", marks=_grey(found[0]))
-                      for name, found in series.by_label(shown, lambda o: o.name).items()]
+    return handles + [style.key(label, style.MUTED, line="none", marks=_grey(found[0]))
+                      for label, found in series.by_label(shown).items()]
 
 
 def picture(family, context):
     """S(n) and U(n) of a family, a column for each size."""
-    looks = series.looks(series.by_label(family.points + family.models, lambda p: p.row.label))
+    looks = series.looks(series.by_label(family.points + family.models))
     width = 3.7 if family.top > WIDE else 3.1
     legend, notes = _legend(family, looks), conditions(family)
     fig, grid = style.figure(max(7.2, 0.5 + width * len(family.sizes)),
@@ -248,17 +239,19 @@ def picture(family, context):
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
     grid[1][0].set_ylabel("$S(n)\\,/\\,n$, and utilisation\n$U(n)$ = busy time / "
                           "($n\\,\\cdot$ wall time)")
-    title = f"Speed-up: {family.title}"
+    title = f"Speed-up: {series.title(family.name)}" + (
+        ", whole runs" if family.name.endswith("_run") else "")
     style.finish(fig, title, style.caption_text(context, notes), legend)
     return style.Picture(f"speedup_{family.name}", title, plain(family), fig, *table(family))
 
 
 def plain(family):
-    """The largest gain that was measured, with both times."""
-    best = family.best()
-    if best is None:
+    """The largest gain that was measured with several threads and a core for each, with both times."""
+    within = [p for p in family.points if not p.row.oversubscribed and p.n > 1]
+    if not within:
         return (f"In the {series.title(family.name)}, nothing was measured with several threads and "
                 "a core for each.")
+    best = max([p for p in within if not p.doubtful] or within, key=lambda p: p.s)
     busy = best.row.measurement.counter("utilisation")
     return (f"In the {series.title(family.name)}, a step at {best.row.size} takes "
             f"{style.duration(best.base.median)} on one thread and "
@@ -291,9 +284,9 @@ def table(family):
               "S(n)", "S(n) from – to", "S(n) / n", "U(n)", "serial share", "model's error",
               "thesis t_n", "thesis S(n)", "thesis U(n)", ""]
     found = sorted(family.points + family.models, key=lambda p: (
-        p.row.triangles, style.order(p.row.strategy), p.row.label, p.row.modelled, p.n))
+        p.row.triangles, style.order(p.row.strategy), p.label, p.row.modelled, p.n))
     return header, [_row(p, family) for p in found] + [
-        [f"{style.whole(o.triangles)} triangles" if o.triangles else "–", *o.name.split(", "),
+        [f"{style.whole(o.triangles)} triangles" if o.triangles else "–", *o.label.split(", "),
          str(o.n), *["–"] * 4, f"{o.s:.2f}", "–", f"{o.s / o.n:.2f}", *["–"] * 6,
          "another program"] for o in family.others]
 
@@ -306,7 +299,7 @@ def _row(p, family):
     off = error(p, family.points) if p.row.modelled else None
     theirs = next((t for t in family.theirs if t["n"] == p.n), None)
     low, _, high = p.interval
-    return [p.row.size, p.row.label, "modelled" if p.row.modelled else "measured", str(p.n),
+    return [p.row.size, p.label, "modelled" if p.row.modelled else "measured", str(p.n),
             counter("threads_used", "{:.0f}"),
             str(p.row.submeshes) if p.row.submeshes else "as pay", style.duration(p.base.median),
             style.duration(p.row.median), f"{p.s:.2f}", f"{low:.2f} – {high:.2f}", f"{p.u:.2f}",

@@ -121,7 +121,7 @@ def _picture(division, context):
     frame, colours = division.frame, division.colours
     columns = min(len(colours), COLUMNS)
     lines = -(-len(colours) // columns)
-    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    low, high = frame.box()
     tall = SIDE * float(numpy.clip((high[1] - low[1]) / max(high[0] - low[0], 1e-300), 0.4, 1.5))
     fig, grid = style.figure(max(6.4, 1.3 + SIDE * columns), 1.5 + (tall + 0.45) * lines, lines,
                              columns)

@@ -52,12 +52,12 @@ def frames_of(block, row, program, published, letter):
         text = f"{row.label}, {text}." if row.label else f"{text}."
         block.pictures.append(layout.Picture(
             f"figure-{block.number}{letter}-{name}.webp", drawn(row, frame, window),
-            text[0].upper() + text[1:], letter))
+            style.capital(text), letter))
 
 
 def drawn(row, frame, window):
     """WebP of a frame."""
-    low, high = frame.points.min(axis=0), frame.points.max(axis=0)
+    low, high = frame.box()
     if window:
         low = numpy.array(window[:2])
         high = low + window[2]
@@ -116,7 +116,7 @@ def sentence(row, scene):
         if scene.value(key)]
     text += f"; there were {style.listing(bad)}." if bad else \
         "; no triangle was inverted and every vertex arrived."
-    return text[0].upper() + text[1:]
+    return style.capital(text)
 
 
 def conditions(row, scene):

@@ -49,7 +49,7 @@ def main(doc, draw, argv=None, **options):
             raise InputFault(f"{given.files[0]} has nothing that this picture shows.")
         for picture in pictures:
             name = stem if len(pictures) == 1 else f"{stem}-{picture.name}"
-            style.save(picture.figure, "", name, [form])
+            style.save(picture.figure, name, [form])
             print(f"{name}.{form}: {picture.sentence}")
 
     return attempt(words.prog, draw_all)

@@ -303,9 +303,9 @@ def few_colours(png):
     return buffer.getvalue()
 
 
-def save(fig, out, name, formats, is_mesh=False, shown=False):
-    """Writes the figure in every format and closes it; returns it as PNG with all its colours where
-    it is to be shown."""
+def save(fig, stem, formats, is_mesh=False, shown=False):
+    """Writes the figure into stem.FORMAT for every format and closes it; returns it as PNG with all
+    its colours where it is to be shown."""
     settle(fig)
     full = png_bytes(fig, is_mesh) if shown or "png" in formats else None
     for form in formats:
@@ -315,7 +315,7 @@ def save(fig, out, name, formats, is_mesh=False, shown=False):
             buffer = io.BytesIO()
             fig.savefig(buffer, format=form, dpi=RASTER_DPI, metadata=UNDATED.get(form))
             data = buffer.getvalue()
-        write_bytes(os.path.join(out, f"{name}.{form}"), data)
+        write_bytes(f"{stem}.{form}", data)
     plt.close(fig)
     return full
 
@@ -361,6 +361,11 @@ def size_label(triangles):
     if triangles >= 1e3:
         return f"{triangles / 1e3:.3g}k"
     return f"{triangles:g}"
+
+
+def capital(text):
+    """'a text' -> 'A text'."""
+    return text[:1].upper() + text[1:]
 
 
 def counted(number, word):

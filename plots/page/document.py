@@ -8,6 +8,8 @@ import html
 import os
 import re
 
+from look import style
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 UNITS = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
 NUMBER = re.compile(r"(?P<sign>[-+])?(?P<number>\d[\d,]*(\.\d+)?(e-?\d+)?)(/(?P<below>\d+))?"
@@ -92,8 +94,8 @@ def inline(webp):
 def figure(drawn):
     """A picture, embedded, with its sentence; its numbers and files folded."""
     picture, (width, height) = drawn.picture, drawn.size
-    title, sentence = escape(picture.title), picture.sentence
-    sentence = sentence[:1].upper() + sentence[1:]  # some begin with a scene's name
+    title = escape(picture.title)
+    sentence = style.capital(picture.sentence)  # some begin with a scene's name
     inside = (f'<figure><div class="picture" tabindex="0" role="region" aria-label="{title}">'
               f'<img alt="{title}" width="{width}" height="{height}" style="max-width:{width}px" '
               f'src="{inline(drawn.webp)}"></div>\n'

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Draws the pictures of all sections, several at a time, and keeps of each what the page needs."""
 import multiprocessing
+import os
 from dataclasses import dataclass, replace
 
 from look import style
@@ -25,7 +26,7 @@ def _draw(index):
     result = []
     for picture in draw():
         kept = [form for form in formats if form == "png" or not picture.is_mesh]
-        png = style.save(picture.figure, out, picture.name, kept, picture.is_mesh,
+        png = style.save(picture.figure, os.path.join(out, picture.name), kept, picture.is_mesh,
                          shown=True)
         result.append(Drawn(replace(picture, figure=None), *style.for_page(png, picture.is_mesh),
                             tuple(f"{picture.name}.{form}" for form in kept)))

@@ -61,8 +61,7 @@ def _gate_rows(verify):
     rows = []
     for name, checks in groups.items():
         worst = max(checks, key=_share)
-        what = checks[0].get("description") or name.replace("_", " ")
-        what = what[0].upper() + what[1:]
+        what = style.capital(checks[0].get("description") or name.replace("_", " "))
         where = f" ({worst['scene']})" if worst["scene"] else ""
         count = f", {len(checks)} scenes" if len(checks) > 1 else ""
         sense = {">=": "at least ", "<=": "at most "}.get(worst.get("sense"), "")

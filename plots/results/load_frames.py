@@ -47,6 +47,10 @@ class Frame:
     phases: numpy.ndarray     # m
     at_vertices: dict         # {name: n numbers, or n x 2}
 
+    def box(self):
+        """The lowest and the highest corner."""
+        return self.points.min(axis=0), self.points.max(axis=0)
+
 
 def read_frame(path):
     """The Frame in one VTU file (triangles only)."""

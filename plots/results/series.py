@@ -71,6 +71,10 @@ class Point:
         return self.row.threads
 
     @property
+    def label(self):
+        return self.row.label
+
+    @property
     def interval(self):
         """(low, S, high)"""
         low, middle, high = style.interval(self.row.times)
@@ -207,11 +211,11 @@ def strategy_of(label):
     return label.partition(",")[0].partition(" (")[0]
 
 
-def by_label(items, label=lambda item: item.label):
+def by_label(items):
     """{label: items} in the order of the strategies."""
     groups = {}
     for item in items:
-        groups.setdefault(label(item), []).append(item)
+        groups.setdefault(item.label, []).append(item)
     return dict(sorted(groups.items(), key=lambda pair: (
         style.order(strategy_of(pair[0])), pair[0])))
 
