@@ -71,8 +71,8 @@ class Program:
         except OSError as fault:
             raise load.InputFault(f"{self.path} cannot be run: {fault.strerror}.") from fault
         except subprocess.TimeoutExpired as fault:
-            raise load.InputFault(f"dsc_scene {' '.join(words[:2])} was stopped after {TIME_LIMIT} s."
-                                  ) from fault
+            raise load.InputFault(f"dsc_scene {' '.join(words[:2])} was stopped after "
+                                  f"{TIME_LIMIT} s.") from fault
         if done.returncode != 0:
             said = (done.stderr.strip().splitlines() or ["no message"])[0]
             raise load.InputFault(

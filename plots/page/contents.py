@@ -73,8 +73,8 @@ def _no_frames(results):
 
 
 def build(results, drawn, out):
-    """The sections of the page, in order: (identifier, title, HTML), and a lead for those that are
-    folded."""
+    """The sections of the page, in order: (identifier, title, HTML, lead); those with a lead are
+    folded, others have None."""
     bench, published, verify = results["bench"], results["published"], results["verify"]
     scenes, hard = results["scenes"], results["hard"]
 
@@ -86,19 +86,19 @@ def build(results, drawn, out):
         return "".join(found[:shown]) + more
 
     header, rows, classes = verdicts.verdicts(results)
-    shown = [
-        ("found", "What was found", page.listed(findings.sentences(results), "found")
+    sections = [
+        ("found", "What was found", None, page.listed(findings.sentences(results), "found")
          + tables.refusals(bench) + page.table(header, rows, classes, "Verdicts"), ""),
-        ("compared", "Area, shape, triangles and speed", comparison.section(results),
+        ("compared", "Area, shape, triangles and speed", None, comparison.section(results),
          "Neither the gate nor whole runs were made, so there is nothing to compare."),
-        ("frames", "The meshes", pictures("frames", len(FIRST)), _no_frames(results)),
-        ("film", "Thirty bubbles rise and merge", film.section(pathlib.Path(out)), ""),
-        ("thesis", "The thesis's figures", gallery.section(pathlib.Path(out)), ""),
-        ("steps", "Time of a step", pictures("steps", 1), _no_bench(bench)),
-        ("speedup", "Several threads", pictures("speedup", 1), _no_bench(bench)),
-        ("precision", "Error against time", pictures("precision", 1) + pictures("convergence"),
-         "Errors against times (dsc_precision) were not measured.")]
-    folded = [
+        ("frames", "The meshes", None, pictures("frames", len(FIRST)), _no_frames(results)),
+        ("film", "Thirty bubbles rise and merge", None, film.section(pathlib.Path(out)), ""),
+        ("thesis", "The thesis's figures", None, gallery.section(pathlib.Path(out)), ""),
+        ("steps", "Time of a step", None, pictures("steps", 1), _no_bench(bench)),
+        ("speedup", "Several threads", None, pictures("speedup", 1), _no_bench(bench)),
+        ("precision", "Error against time", None,
+         pictures("precision", 1) + pictures("convergence"),
+         "Errors against times (dsc_precision) were not measured."),
         ("gate", "The gate", "every figure that is held to a limit",
          tables.gate(verify) if verify else "", "The gate (dsc_verify) was not run."),
         ("scenes", "Scenes", "what each run measured",
@@ -122,7 +122,5 @@ def build(results, drawn, out):
          "pictures show our own results only."),
         ("files", "Files", "the results as the programs wrote them",
          tables.files(results["files"], out), "No result file was given.")]
-    return [(name, title, inside or page.paragraph(missing, "note"))
-            for name, title, inside, missing in shown if inside or missing] \
-        + [(name, title, inside or page.paragraph(missing, "note"), lead)
-           for name, title, lead, inside, missing in folded]
+    return [(name, title, inside or page.paragraph(missing, "note"), lead)
+            for name, title, lead, inside, missing in sections if inside or missing]

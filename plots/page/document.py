@@ -127,7 +127,7 @@ def _beside(name):
 
 
 def document(title, lead, head, sections):
-    """sections: [(identifier, title, html)], with a fourth text for those that are folded."""
+    """sections: [(identifier, title, html)], with a lead as the fourth for those that are folded."""
     links = "".join(f'<a href="#{i}">{escape(t)}</a>' for i, t, *_ in sections)
     body = "".join(_section(*words) for words in sections)
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'

@@ -62,13 +62,9 @@ def shape(scenes, published):
     return text + "."
 
 
-def _scaling(bench):
-    """The rows of the thesis's own measurement, the growing circle."""
-    return [r for r in series.rows(bench) if r.family == "scaling_step"] if bench else []
-
-
 def step(bench):
-    found = _scaling(bench)
+    """The thesis's own measurement, the growing circle."""
+    found = [r for r in series.rows(bench) if r.family == "scaling_step"] if bench else []
     mine = {r.triangles: r for r in found if r.strategy == "sequential"}
     if not mine:
         return "No time step was measured."

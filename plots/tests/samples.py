@@ -206,7 +206,7 @@ class Case(unittest.TestCase):
         return load.read_bench([self.write("bench.json", {**data, "benchmarks": rows})])
 
     def frames(self, run, middles, times=()):
-        """The folder of a run's frames. middles: {step: x of the middle vertex}; times: {step: time}."""
+        """The folder of a run's frames, {step: x of the middle vertex} and {step: time}."""
         for step, x in middles.items():
             self.write(f"frames/{run}_{step:05}.vtu", VTU.format(x=x))
         if times:

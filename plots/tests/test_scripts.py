@@ -17,8 +17,8 @@ import flow
 import over_time
 import speedup
 from results import load
-from tests.samples import (BUBBLE, DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, hard_cases, own_suite,
-                           parallel_bench, precision_run, precision_runs, scene, verify)
+from tests.samples import (BUBBLE, DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, hard_cases,
+                           own_suite, parallel_bench, precision_run, precision_runs, scene, verify)
 
 MAGIC = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
 FOREIGN = {
@@ -123,7 +123,8 @@ class Scripts(Case):
         self.assertIn("error against the exact shape",
                       [axes.get_title(loc="left") for axes in figure.axes])
         texts = " ".join(text.get_text() for text in figure.texts)
-        for fact in ("swirl over time, cells", "a\N{NO-BREAK SPACE}machine", "c0ffee", "14 steps", "2 threads"):
+        for fact in ("swirl over time, cells", "a\N{NO-BREAK SPACE}machine", "c0ffee", "14 steps",
+                     "2 threads"):
             self.assertIn(fact, texts)
         columns["sd_rel"] = [float("nan")] * 3
         figure = over_time.picture(columns, None).figure
