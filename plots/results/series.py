@@ -98,9 +98,8 @@ class Point:
 
 
 def title(family):
-    if family in FAMILY_TITLES:
-        return FAMILY_TITLES[family]
-    return family.removesuffix("_step").removesuffix("_run").replace("_", " ")
+    words = family.removesuffix("_step").removesuffix("_run").replace("_", " ")
+    return FAMILY_TITLES.get(family, words)
 
 
 def rows(bench):
@@ -136,7 +135,7 @@ def undisturbed(bench):
 
 def _edge_length(measurement):
     """That in the name, where it stands for the size, or None."""
-    params = measurement.params if measurement else {}
+    params = measurement.params
     return None if "triangles" in params or "h" not in params else measurement.number("h")
 
 
@@ -182,9 +181,9 @@ def _labelled(found):
 
 
 def families(found):
-    names = sorted({r.family for r in found})
-    known = [f for f in FAMILY_TITLES if f in names]
-    return known + [f for f in names if f not in known]
+    """Their names: known ones in the order of FAMILY_TITLES, then others."""
+    known = list(FAMILY_TITLES)
+    return sorted({r.family for r in found}, key=lambda family: style.order(family, known))
 
 
 def base_of(row, found):
