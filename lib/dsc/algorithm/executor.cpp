@@ -102,6 +102,7 @@ template <class Real>
 void Executor<Real>::set_options(const Options<Real>& options) {
     const bool relists = options.carried_phases != options_.carried_phases;
     options_ = options;
+    is_kept_up_ = false;
     if (relists) {
         list_interface();
     }
@@ -150,6 +151,7 @@ void Executor<Real>::absorb(std::span<const Edit> edits) {
         clear_stamps(complex_);
         list_interface();
     }
+    is_kept_up_ = false;
     change_interface(interface_changes(after));
     wake(whole_, after);
 }
@@ -180,9 +182,14 @@ void Executor<Real>::keep_up_whole() {
 template <class Real>
 AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
     progress_ = Progress::under_way;
-    whole_.time = time;
-    whole_.dt = dt;
-    keep_up_whole();
+    // Upkeep may find more to do when it is run again: where the flow threw after it, the sub-step
+    // that is made again goes on from there.
+    if (!is_kept_up_ || whole_.time != time || whole_.dt != dt) {
+        whole_.time = time;
+        whole_.dt = dt;
+        keep_up_whole();
+        is_kept_up_ = true;
+    }
     const std::size_t end = whole_.interface.size();
     const AimReport<Real> report = sight_->aim(whole_, std::span(&end, 1), flow, time, dt);
     progress_ = Progress::aimed;
@@ -220,6 +227,7 @@ void Executor<Real>::end_movement() {
     collect_edits();
     collect_changes();
     progress_ = Progress::none;
+    is_kept_up_ = false;
 }
 
 // The edits of the stages have been absorbed: their stars are active.
@@ -329,7 +337,7 @@ OperationCounts Executor<Real>::take_counts() {
 
 template <class Real>
 void Executor<Real>::archive(Archive& archive) {
-    archive(whole_, epoch_, steps_);
+    archive(whole_, epoch_, steps_, is_kept_up_);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

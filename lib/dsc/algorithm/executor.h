@@ -153,6 +153,8 @@ protected:
     std::uint64_t steps_ = 0;        ///< begun so far
     /// At the end of a step `none`, unless it gave up or something threw.
     Progress progress_ = Progress::none;
+    /// The whole has been kept up for the time and dt in `whole_`, and nothing has changed since.
+    bool is_kept_up_ = false;
     InShares in_shares_ = one_by_one; ///< where a class derived from this has no threads
     std::unique_ptr<InterfaceSight<Real>> sight_; ///< aims the whole interface at once
 

@@ -8,7 +8,7 @@ namespace dsc::scenes {
 namespace {
 
 /// To be raised with every change of what a run writes.
-const SealedKind checkpoint_kind{.name = "dsc-run", .version = 7};
+const SealedKind checkpoint_kind{.name = "dsc-run", .version = 8};
 
 } // namespace
 
