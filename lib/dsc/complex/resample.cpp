@@ -29,8 +29,9 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         const Real area = cross<Real>(to_a, to_b);
         const Real of_a = cross<Real>(way, to_b) / area;
         const Real of_b = cross<Real>(to_a, way) / area;
-        // Neither is negative in the triangle that the way leads into.
-        if (const Real least = std::min(of_a, of_b); least > best) {
+        // Neither is negative in the triangle that the way leads into; nor in one beside it that
+        // the rounding of where a new vertex is has turned over.
+        if (const Real least = std::min(of_a, of_b); area > 0 && least > best) {
             best = least;
             best_a = a;
             best_b = b;
