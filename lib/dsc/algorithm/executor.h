@@ -82,8 +82,9 @@ public:
     // In a step.
     /// Called before the first sub-step.
     virtual void begin_step();
-    /// Interface upkeep; then velocities at `time` and targets at time + dt. `dt` is the step that
-    /// the driver expects; it may change it once the velocities are known.
+    /// Interface upkeep, unless it was done for the same `time` and `dt` and the flow threw after
+    /// it; then velocities at `time` and targets at time + dt. `dt` is the step that the driver
+    /// expects; it may change it once the velocities are known.
     virtual AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt);
     /// New targets for another dt, from the same positions and for the same flow.
     virtual Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
