@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace dsc::combinations {
 
@@ -40,6 +41,18 @@ template <class Real>
     }
     const bool is_exact = worst < (std::is_same_v<Real, double> ? 1e-9 : 1e-4);
     return is_exact ? "" : "the field is off by " + std::to_string(worst);
+}
+
+/// Whether a flow sees each vertex once.
+template <class Real>
+[[nodiscard]] std::string view_fault(const InterfaceView<Real>& view) {
+    std::vector<std::uint32_t> seen;
+    for (const Vertex v : view.vertices) {
+        seen.push_back(v.id);
+    }
+    std::ranges::sort(seen);
+    const auto twice = std::ranges::adjacent_find(seen);
+    return twice == seen.end() ? "" : "vertex " + std::to_string(*twice) + " is seen twice";
 }
 
 /// What the events of a step took is given back or owed, if that is asked for. Only areas that go

@@ -127,6 +127,12 @@ private:
         }
     }
 
+    void look_at(const InterfaceView<Real>& view) {
+        if (manner_.threads == 1) { // the others end with the same mesh, or are refused for that
+            note(view_fault(view));
+        }
+    }
+
     void throw_if_asked() const {
         if (is_to_throw_) {
             throw Thrown();
@@ -139,6 +145,7 @@ private:
                 InterfaceMotion<Real>([&](const InterfaceView<Real>& view, Real at, Real for_dt,
                                           std::span<Point<Real>> ways) {
                     throw_if_asked();
+                    look_at(view);
                     curvature_flow<Real>(bending_of(scene_))(view, at, for_dt, ways);
                 }),
                 time, dt);
@@ -152,6 +159,7 @@ private:
             return simulation_->step(
                 InterfaceFlow<Real>([&](const InterfaceView<Real>& view, std::size_t begin,
                                         std::size_t end, Real at, auto values) {
+                    look_at(view);
                     if (is_normal(row_)) {
                         throw_if_asked();
                         growth<Real>(growth_of<Real>(row_, scene_))(view, begin, end, at, values);
@@ -165,6 +173,7 @@ private:
             return simulation_->step(
                 InterfaceMotion<Real>([&](const InterfaceView<Real>& view, Real at, Real for_dt,
                                           std::span<Point<Real>> ways) {
+                    look_at(view);
                     IntegratorScratch<Real> scratch;
                     scratch.first.resize(view.size());
                     velocity(view.positions, at, scratch.first);

@@ -210,11 +210,13 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     this->keep_up_whole();
     // Listed vertices that are still there stay listed; the others are new in some submesh. A
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
+    // Any other that a pass of an application has changed is listed in the whole by now.
     std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of upkeep
     there = whole_.interface;
     std::ranges::sort(there);
     std::vector<std::uint32_t>& gone = whole_.changed; // scratch of run_pass
-    gone.clear();
+    gone = whole_.changed_interface;
+    std::erase_if(gone, [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
         const std::uint32_t v = listed_[i];
@@ -225,6 +227,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
         }
     }
     listed_.resize(kept);
+    std::ranges::sort(gone);
     unlist(gone);
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
