@@ -203,9 +203,7 @@ Reach<Real> Executor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt
 
 template <class Real>
 MoveReport Executor<Real>::move() {
-    progress_ = Progress::under_way;
-    whole_.movers.clear();
-    const std::uint64_t held = collect_movers(whole_);
+    const std::uint64_t held = begin_movement();
     MoveReport report = move_whole();
     report.held += held;
     report.unreached += held;
@@ -223,11 +221,18 @@ MoveReport Executor<Real>::move_whole() {
 }
 
 template <class Real>
+std::uint64_t Executor<Real>::begin_movement() {
+    progress_ = Progress::under_way;
+    is_kept_up_ = false;
+    whole_.movers.clear();
+    return collect_movers(whole_);
+}
+
+template <class Real>
 void Executor<Real>::end_movement() {
     collect_edits();
     collect_changes();
     progress_ = Progress::none;
-    is_kept_up_ = false;
 }
 
 // The edits of the stages have been absorbed: their stars are active.

@@ -129,6 +129,8 @@ protected:
     // Parts of a step.
     /// Interface upkeep in the whole. Nothing is put off there.
     void keep_up_whole();
+    /// Before any vertex moves: the movers of the whole. Returns how many are held.
+    std::uint64_t begin_movement();
     /// Movement and mesh update in the whole: its movers, and the stars that have to be visited.
     MoveReport move_whole();
     /// What is left to do when all vertices have moved: edits and lists.

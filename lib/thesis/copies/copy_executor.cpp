@@ -45,10 +45,8 @@ void CopyExecutor<Real>::begin_step() {
 
 template <class Real>
 MoveReport CopyExecutor<Real>::move() {
-    progress_ = Progress::under_way;
     MoveReport report;
-    whole_.movers.clear();
-    report.held = collect_movers(whole_);
+    report.held = this->begin_movement();
     // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours
     // cannot do. A vertex that is blocked although nothing is put off has had all the room that
     // there is.

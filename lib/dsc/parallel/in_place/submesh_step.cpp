@@ -291,10 +291,8 @@ MoveReport SubmeshExecutor<Real>::move() {
         return Executor<Real>::move();
     }
     Timer timer(parallel_.profile);
-    progress_ = Progress::under_way;
     MoveReport report;
-    whole_.movers.clear();
-    report.held = collect_movers(whole_);
+    report.held = this->begin_movement();
     send_home();
     hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
     const double hand_over = timer.lap();
