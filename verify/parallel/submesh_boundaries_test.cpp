@@ -170,5 +170,54 @@ TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
     }
 }
 
+// Gives triangles at the interface another phase and their own again, as far as the submesh allows
+// it: that changes nothing but what is noted, also for vertices that are in no list of the submesh.
+void relabel_twice(Work<double>& work) {
+    Complex<double>& complex = work.complex;
+    for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
+        // Not all, for who is changed is listed where it is when the sub-step is over.
+        if (v % 3 != 0 || !gather(complex, work.submesh.region, v, work.ring) || !work.ring.owned) {
+            continue;
+        }
+        for (std::uint32_t i = 0; i < work.ring.size; ++i) {
+            const Triangle t{triangle_of(work.ring.corner[i])};
+            const Phase phase = complex.phase(t);
+            rewire::relabel(complex, work.log, t, static_cast<Phase>(phase + 1));
+            rewire::relabel(complex, work.log, t, phase);
+        }
+    }
+}
+
+// A vertex that has left a submesh is put off by that one, and may be listed where it is now.
+TEST(SubmeshExecutor, ListsAVertexOnceThatAPassOfItsNewSubmeshChanges) {
+    for (const NamedPartitioner& way : ways_to_divide(1000)) {
+        SCOPED_TRACE(way.name);
+        std::ptrdiff_t put_off = 0;
+        auto algorithm = default_algorithm<double>();
+        algorithm.upkeep.push_back({"relabelling", &relabel_twice});
+        algorithm.upkeep.push_back({"counting", [&](Work<double>& work) {
+                                        put_off += std::ranges::count(work.deferred.entries,
+                                                                      DeferredKind::listing,
+                                                                      &Deferred<double>::kind);
+                                    }});
+        Growing disc(way.make(), 1, algorithm);
+        int seen_twice = 0;
+        const InterfaceFlow<double> turn = [&](const InterfaceView<double>& view, std::size_t begin,
+                                               std::size_t end, double, auto values) {
+            std::vector<Vertex> vertices(view.vertices.begin(), view.vertices.end());
+            std::ranges::sort(vertices, {}, &Vertex::id);
+            seen_twice += std::ranges::adjacent_find(vertices) != vertices.end() ? 1 : 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                values[i] = {0.5 - view.positions[i].y(), view.positions[i].x() - 0.5};
+            }
+        };
+        for (int step = 0; step < 60; ++step) {
+            EXPECT_EQ(disc.simulation->step(turn, 0, 2 * Growing::h).unreached, 0U);
+        }
+        EXPECT_GT(put_off, 5);
+        EXPECT_EQ(seen_twice, 0);
+    }
+}
+
 } // namespace
 } // namespace dsc::submesh_boundaries_test

@@ -191,8 +191,9 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
         for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {
             if (one.kind == DeferredKind::upkeep) {
                 listed_.push_back(one.vertex);
-            } else if (one.kind == DeferredKind::listing) {
-                whole_.interface.push_back(one.vertex);
+            } else if (one.kind == DeferredKind::listing &&
+                       std::ranges::count(home_of(one.vertex).changed_interface, one.vertex) == 0) {
+                whole_.interface.push_back(one.vertex); // no pass has listed it where it is now
             }
         }
     }
