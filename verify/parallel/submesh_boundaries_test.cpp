@@ -175,7 +175,7 @@ TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
 void relabel_twice(Work<double>& work) {
     Complex<double>& complex = work.complex;
     for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
-        // Not all, for who is changed is listed where it is when the sub-step is over.
+        // Not all: a vertex that is changed is listed where it is when the sub-step is over.
         if (v % 3 != 0 || !gather(complex, work.submesh.region, v, work.ring) || !work.ring.owned) {
             continue;
         }
