@@ -9,7 +9,7 @@ set -euo pipefail
 usage() {
     cat <<'USAGE'
 usage: verify/run.sh [--quick | --all] [--sanitizers | --no-sanitizers | --faults] [ctest options]
-  --quick          in four minutes on two cores: the release build of the
+  --quick          in five minutes on two cores: the release build of the
                    short tests and of the gate, and the gate's checks of sequential runs
   --all            the tests labelled long and tools as well, all others optimised as well, the preset
                    lto, and whether the tests notice a tenth of the seeded faults, those of this commit
