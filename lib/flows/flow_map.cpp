@@ -3,6 +3,11 @@
 
 #include "dsc/base/error.h"
 
+#include <boost/numeric/odeint/algebra/array_algebra.hpp>
+#include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <boost/numeric/odeint/util/resizer.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,10 +18,13 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Points that go through all the steps together, so that they stay in the first-level cache.
-constexpr std::size_t block_size = 256;
+/// Points that go through all the steps together, so that their stages stay in a near cache.
+constexpr std::size_t block_size = 128;
 
 using Block = std::array<Point<double>, block_size>;
+using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<
+    Block, double, Block, double, boost::numeric::odeint::array_algebra,
+    boost::numeric::odeint::default_operations, boost::numeric::odeint::never_resizer>;
 
 /// The part of the time that one leg covers.
 struct Stretch {
@@ -25,32 +33,16 @@ struct Stretch {
     Velocity velocity;
 };
 
-void advance(const Stretch& stretch, std::span<Point<double>> points) {
-    Block k1;
-    Block k2;
-    Block k3;
-    Block k4;
-    Block stage;
-    const std::size_t count = points.size();
+/// Moves the first `count` points; the others stay where they are.
+void advance(const Stretch& stretch, std::size_t count, Stepper& stepper, Block& points) {
+    const auto evaluate = [&](const Block& at, Block& velocities, double time) {
+        stretch.velocity(std::span(at).first(count), time, std::span(velocities).first(count));
+        std::fill(velocities.begin() + static_cast<std::ptrdiff_t>(count), velocities.end(),
+                  Point<double>::Zero());
+    };
     const double dt = (stretch.end - stretch.begin) / stretch.steps;
-    const auto evaluate = [&](std::span<const Point<double>> at, double time, Block& k) {
-        stretch.velocity(at, time, std::span(k).first(count));
-    };
-    const auto move = [&](double time, const Block& k) {
-        for (std::size_t i = 0; i < count; ++i) {
-            stage[i] = points[i] + time * k[i];
-        }
-        return std::span<const Point<double>>(stage).first(count);
-    };
     for (int step = 0; step < stretch.steps; ++step) {
-        const double time = stretch.begin + dt * step;
-        evaluate(points, time, k1);
-        evaluate(move(0.5 * dt, k1), time + 0.5 * dt, k2);
-        evaluate(move(0.5 * dt, k2), time + 0.5 * dt, k3);
-        evaluate(move(dt, k3), time + dt, k4);
-        for (std::size_t i = 0; i < count; ++i) {
-            points[i] += (dt / 6.0) * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-        }
+        stepper.do_step(evaluate, points, stretch.begin + dt * step, dt);
     }
 }
 
@@ -78,11 +70,16 @@ FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
         }
     }
     return [stretches = std::move(stretches)](std::span<Point<double>> points) {
+        Stepper stepper;
+        Block block;
+        block.fill(Point<double>::Zero());
         for (std::size_t i = 0; i < points.size(); i += block_size) {
             const auto part = points.subspan(i, std::min(block_size, points.size() - i));
+            std::copy(part.begin(), part.end(), block.begin());
             for (const Stretch& stretch : stretches) {
-                advance(stretch, part);
+                advance(stretch, part.size(), stepper, block);
             }
+            std::copy_n(block.begin(), part.size(), part.begin());
         }
     };
 }

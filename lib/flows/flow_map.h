@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a flow takes points, without any mesh: by the classical Runge-Kutta method with any number
+// Where a flow takes points, without any mesh: by a Runge-Kutta method of order 8 with any number
 // of steps.
 #pragma once
 
@@ -13,8 +13,10 @@ namespace dsc::scenes {
 /// Replaces each point by its image.
 using FlowMap = std::function<void(std::span<Point<double>> points)>;
 
-/// The solution of a flow from `begin` to `end`, by about `steps` steps of RK4; no step straddles
-/// the end of a leg. Throws InputError unless begin <= end and steps >= 1.
+/// The solution of a flow from `begin` to `end`, by about `steps` steps of 13 velocities each, of
+/// order 8 (E. Fehlberg, "Classical fifth-, sixth-, seventh-, and eighth-order Runge-Kutta formulas
+/// with stepsize control", NASA TR R-287, 1968); no step straddles the end of a leg. Throws
+/// InputError unless begin <= end and steps >= 1.
 [[nodiscard]] FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps);
 
 } // namespace dsc::scenes

@@ -19,7 +19,6 @@ namespace {
 using scenes::Outline;
 
 // The exact shapes need to be far better than the methods only; under the sanitizers they are dear.
-constexpr int exact_steps = 512;
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
 // By steps of so many edge lengths, of which none is too many.
@@ -69,8 +68,7 @@ HardResult rotation_case(double edges) {
 
 // The swirl does not return: the exact shape is that of markers.
 std::vector<Outline> swirled(const scenes::ParametricCurve& curve, double end) {
-    return scenes::advected_shape(curve, scenes::steady(scenes::Swirl{}), end, exact_steps,
-                                  exact_markers)
+    return scenes::advected_shape(curve, scenes::steady(scenes::Swirl{}), end, exact_markers)
         .outlines;
 }
 
@@ -105,8 +103,7 @@ HardResult vortex_case() {
     const auto curve = scenes::circle_curve({0.5, 0.75}, 0.15);
     bool going = watch.run(swirl, 0, dt, steps / 2);
     const auto half =
-        scenes::advected_shape(curve, scenes::steady(swirl), period / 2, exact_steps, exact_markers)
-            .outlines;
+        scenes::advected_shape(curve, scenes::steady(swirl), period / 2, exact_markers).outlines;
     const double at_half = shape_error<double>(scene.complex, half);
     const double width = 2 * curve.area / scenes::perimeter(half);
     going = going && watch.run(swirl, period / 2, dt, steps / 2);
