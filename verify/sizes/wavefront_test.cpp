@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 namespace dsc::wavefront_test {
@@ -141,6 +142,39 @@ TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
         least_between<double>(from_3.x(), from_3.y(), 1, from_0.x(), from_0.y(), at_0, 0.1);
     ASSERT_LT(straight, 1.12);
     EXPECT_NEAR(field[Vertex{2}].length, straight, 1e-12);
+}
+
+// Targets at random, about as far apart as their edges let them be.
+TEST(SizeLimits, WhatIsSeenToStayIsNotFollowed) {
+    Complex<double> complex = test::disc_complex<double>(h, {0.5, 0.5}, radius);
+    std::mt19937 random(1);
+    for (const double growth : {1.05, 1.3, 2.0}) {
+        const SizeOptions<double> sizes{.growth = growth};
+        const SizeRule<double> rule(sizes, h);
+        std::uniform_real_distribution<double> share(1, 1 + 2 * rule.slope());
+        int within = 0;
+        int stays = 0;
+        for (const Vertex v : vertices(complex)) {
+            Ring<double> ring;
+            std::vector<VertexSize<double>> field(complex.vertex_bound());
+            ASSERT_TRUE(gather(complex, Region{}, v.id, ring));
+            for (VertexSize<double>& size : field) {
+                size.length = h * share(random);
+            }
+            if (!ring.closed || is_on_interface(ring)) {
+                continue;
+            }
+            const double stored = field[v.id].length;
+            const double now = rule.at(ring, field, 0).length;
+            const bool is_within = std::abs(now - stored) <= rule.slack() * std::min(now, stored);
+            const bool is_seen = rule.stays(ring, field, stored, 0);
+            EXPECT_TRUE(is_within || !is_seen) << v.id << ": " << stored << " to " << now;
+            within += is_within ? 1 : 0;
+            stays += is_seen ? 1 : 0;
+        }
+        EXPECT_GT(stays, within / 3) << growth;
+        EXPECT_LT(within, 3 * static_cast<int>(complex.vertex_bound()) / 4);
+    }
 }
 
 TEST(SizeLimits, EachPhaseOfAStarIsAskedFor) {

@@ -26,19 +26,15 @@ Real move_limit(const Ring<Real>& ring, Real x, Real y) {
     const Real dy = y - ring.y0;
     Real limit = 1;
     const std::uint32_t n = ring.padded();
-    const Real* xs = ring.x.data();
-    const Real* ys = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
     constexpr auto floor = static_cast<Real>(altitude_floor);
     constexpr auto keep = static_cast<Real>(altitude_keep);
     constexpr Real tiny = std::numeric_limits<Real>::min();
 #pragma omp simd reduction(min : limit)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = xs[i] - ring.x0;
-        const Real ay = ys[i] - ring.y0;
-        const Real bx = x_next[i] - ring.x0;
-        const Real by = y_next[i] - ring.y0;
+        const Real ax = ring.x[i] - ring.x0;
+        const Real ay = ring.y[i] - ring.y0;
+        const Real bx = ring.x_next[i] - ring.x0;
+        const Real by = ring.y_next[i] - ring.y0;
         const Real cx = bx - ax;
         const Real cy = by - ay;
         const Real area = ax * by - ay * bx;

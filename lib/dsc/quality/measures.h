@@ -57,14 +57,11 @@ template <class Real>
 Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
     Real worst = std::numeric_limits<Real>::max();
     const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
 #pragma omp simd reduction(min : worst)
     for (std::uint32_t i = 0; i < n; ++i) {
-        worst = std::min(worst, sine_squared_of_lanes<Real>(x[i] - px, y[i] - py, x_next[i] - px,
-                                                            y_next[i] - py));
+        worst =
+            std::min(worst, sine_squared_of_lanes<Real>(ring.x[i] - px, ring.y[i] - py,
+                                                        ring.x_next[i] - px, ring.y_next[i] - py));
     }
     return worst * Real(4.0 / 3.0);
 }
@@ -75,18 +72,13 @@ template <class Real>
 Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
     const std::uint32_t n = ring.size;
     const std::uint32_t lanes = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
-    const Real px = x[i];
-    const Real py = y[i];
-    alignas(64) std::array<Real, Ring<Real>::room> sines_squared;
-    Real* sine_squared = sines_squared.data();
+    const Real px = ring.x[i];
+    const Real py = ring.y[i];
+    alignas(64) std::array<Real, Ring<Real>::room> sine_squared;
 #pragma omp simd
     for (std::uint32_t j = 0; j < lanes; ++j) {
-        sine_squared[j] =
-            sine_squared_of_lanes<Real>(x[j] - px, y[j] - py, x_next[j] - px, y_next[j] - py);
+        sine_squared[j] = sine_squared_of_lanes<Real>(ring.x[j] - px, ring.y[j] - py,
+                                                      ring.x_next[j] - px, ring.y_next[j] - py);
     }
     constexpr Real harmless = std::numeric_limits<Real>::max();
     sine_squared[i] = harmless;
@@ -105,14 +97,10 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
     Real least = std::numeric_limits<Real>::max();
     Real scale = std::numeric_limits<Real>::max();
     const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
 #pragma omp simd reduction(min : least) reduction(min : scale)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real left = (x[i] - px) * (y_next[i] - py);
-        const Real right = (y[i] - py) * (x_next[i] - px);
+        const Real left = (ring.x[i] - px) * (ring.y_next[i] - py);
+        const Real right = (ring.y[i] - py) * (ring.x_next[i] - px);
         const Real size = std::abs(left) + std::abs(right);
         least = std::min(least, (left - right) - area_bound<Real> * size);
         scale = std::min(scale, size);
@@ -178,25 +166,18 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
     Real shortest = most;
     Real worst = most;
     const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
-    const Real* x_previous = ring.x_previous.data();
-    const Real* y_previous = ring.y_previous.data();
     const Real px = ring.x0;
     const Real py = ring.y0;
-    Real* margin = margins.data();
 #pragma omp simd reduction(min : delaunay, shortest, worst) reduction(max : longest)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - px;
-        const Real ay = y[i] - py;
-        const Real bx = x_next[i] - px;
-        const Real by = y_next[i] - py;
-        const Real ex = x_previous[i] - px;
-        const Real ey = y_previous[i] - py;
+        const Real ax = ring.x[i] - px;
+        const Real ay = ring.y[i] - py;
+        const Real bx = ring.x_next[i] - px;
+        const Real by = ring.y_next[i] - py;
+        const Real ex = ring.x_previous[i] - px;
+        const Real ey = ring.y_previous[i] - py;
         const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
-        margin[i] = found;
+        margins[i] = found;
         delaunay = std::min(delaunay, found);
         const Real aa = ax * ax + ay * ay;
         longest = std::max(longest, aa);
@@ -224,25 +205,18 @@ template <class Real>
 Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
     Real lowest = 0;
     const std::uint32_t n = ring.padded();
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
-    const Real* x_previous = ring.x_previous.data();
-    const Real* y_previous = ring.y_previous.data();
     const Real px = ring.x0;
     const Real py = ring.y0;
-    Real* margin = margins.data();
 #pragma omp simd reduction(min : lowest)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - px;
-        const Real ay = y[i] - py;
-        const Real bx = x_next[i] - px;
-        const Real by = y_next[i] - py;
-        const Real ex = x_previous[i] - px;
-        const Real ey = y_previous[i] - py;
+        const Real ax = ring.x[i] - px;
+        const Real ay = ring.y[i] - py;
+        const Real bx = ring.x_next[i] - px;
+        const Real by = ring.y_next[i] - py;
+        const Real ex = ring.x_previous[i] - px;
+        const Real ey = ring.y_previous[i] - py;
         const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
-        margin[i] = found;
+        margins[i] = found;
         lowest = std::min(lowest, found);
     }
     return lowest;

@@ -10,23 +10,19 @@ Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>&
     const std::uint32_t n = ring.closed ? ring.padded() : ring.size;
     const Real px = ring.x0;
     const Real py = ring.y0;
-    const Real* x = ring.x.data();
-    const Real* y = ring.y.data();
-    const Real* x_next = ring.x_next.data();
-    const Real* y_next = ring.y_next.data();
-    const Real* at = values.at.data();
-    const Real* next = values.next.data();
 #pragma omp simd reduction(min : least)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = x[i] - px;
-        const Real ay = y[i] - py;
-        const Real bx = x_next[i] - px;
-        const Real by = y_next[i] - py;
-        least = std::min(least, at[i] + slope * std::sqrt(ax * ax + ay * ay));
-        least = std::min(least, least_between<Real>(ax, ay, at[i], bx, by, next[i], slope));
+        const Real ax = ring.x[i] - px;
+        const Real ay = ring.y[i] - py;
+        const Real bx = ring.x_next[i] - px;
+        const Real by = ring.y_next[i] - py;
+        least = std::min(least, values.at[i] + slope * std::sqrt(ax * ax + ay * ay));
+        least = std::min(least,
+                         least_between<Real>(ax, ay, values.at[i], bx, by, values.next[i], slope));
     }
     if (!ring.closed) {
-        least = std::min(least, at[ring.size] + slope * std::sqrt(ring.squared_spoke(ring.size)));
+        least = std::min(least,
+                         values.at[ring.size] + slope * std::sqrt(ring.squared_spoke(ring.size)));
     }
     return least;
 }

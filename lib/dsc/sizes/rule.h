@@ -124,15 +124,55 @@ public:
         return !options_.by_place && !options_.on_interface && is_on_interface(ring);
     }
 
-    /// The same with regard to its neighbours. `distances` is read only if it is needed. O(degree).
-    [[nodiscard]] VertexSize<Real> at(const Ring<Real>& ring, const LinkValues<Real>& lengths,
-                                      const LinkValues<Real>& distances, Real time) const {
+    /// Whether it is easily seen that `at` differs from a stored length by no more than the slack,
+    /// and that something is lower: most stars, without a root or a quotient. O(degree).
+    template <class Sizes>
+    [[nodiscard]] bool stays(const Ring<Real>& ring, const Sizes& sizes, Real stored,
+                             Real time) const {
+        if (needs_distance() || !ring.closed) {
+            return false;
+        }
+        // A target between these two is not followed, whatever the rounding is.
+        const Real least = stored / (1 + slack_) * Real(1 + 1e-5);
+        const Real most = stored * (1 + slack_) * Real(1 - 1e-5);
+        const Real alone = own(ring, 0, time);
+        bool is_low_enough = alone <= most;
+        bool is_high_enough = alone >= least;
+        bool is_above = false;
+        Real here = sizes[ring.link[0]].length;
+        for (std::uint32_t i = 0; i < ring.size; ++i) {
+            const Real next = sizes[ring.link[i + 1]].length;
+            const Real ax = ring.x[i] - ring.x0;
+            const Real ay = ring.y[i] - ring.y0;
+            const Real bx = ring.x_next[i] - ring.x0;
+            const Real by = ring.y_next[i] - ring.y0;
+            const Real ex = bx - ax;
+            const Real ey = by - ay;
+            const Real spoke = slope_ * slope_ * (ax * ax + ay * ay);
+            const Real room = most - here;
+            is_low_enough |= spoke <= room * std::abs(room);
+            // Nothing on the edge is lower than its lower end, or nearer than the line through it.
+            const Real across = slope_ * (ax * by - ay * bx);
+            const Real lack = least - std::min(here, next);
+            is_high_enough &= across * across >= lack * std::abs(lack) * (ex * ex + ey * ey);
+            is_above |= here < stored;
+            here = next;
+        }
+        return is_low_enough && is_high_enough && is_above;
+    }
+
+    /// The same with regard to its neighbours, of which `sizes` knows. O(degree).
+    template <class Sizes>
+    [[nodiscard]] VertexSize<Real> at(const Ring<Real>& ring, const Sizes& sizes, Real time) const {
+        LinkValues<Real> values;
         Real distance = 0;
         if (needs_distance() && !is_on_interface(ring)) {
-            distance = least_over_link(ring, Real(1), distances);
+            values.take(ring, [&](std::uint32_t v) { return sizes[v].distance; });
+            distance = least_over_link(ring, Real(1), values);
         }
+        values.take(ring, [&](std::uint32_t v) { return sizes[v].length; });
         const Real least = own(ring, distance, time);
-        return {std::min(least, least_over_link(ring, slope_, lengths)), distance};
+        return {std::min(least, least_over_link(ring, slope_, values)), distance};
     }
 
 private:

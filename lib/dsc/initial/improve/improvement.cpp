@@ -128,12 +128,7 @@ private:
     // A new vertex gets its target from its star, whose triangles are looked at.
     void take(std::uint32_t v) {
         if (gather(complex_, Region{}, v, ring_)) {
-            lengths_.take(ring_, [this](std::uint32_t u) { return field_[Vertex{u}].length; });
-            if (rule_.needs_distance()) {
-                distances_.take(ring_,
-                                [this](std::uint32_t u) { return field_[Vertex{u}].distance; });
-            }
-            field_[Vertex{v}] = rule_.at(ring_, lengths_, distances_, Real(0));
+            field_[Vertex{v}] = rule_.at(ring_, field_.data(), Real(0));
         }
         for (const Triangle t : star_triangles(complex_, Vertex{v})) {
             queue_.push_back(t.id);
@@ -148,8 +143,6 @@ private:
     std::vector<std::uint32_t> queue_; ///< triangles to be looked at, in order
     std::vector<Corner> stack_;
     Ring<Real> ring_;
-    LinkValues<Real> lengths_;
-    LinkValues<Real> distances_;
 };
 
 // Collapses vertices where there are more of them than the targets call for. Returns their number.

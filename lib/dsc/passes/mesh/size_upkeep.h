@@ -62,17 +62,18 @@ private:
             return stored.length; // as nearly all of them
         }
         const auto& data = field_->data();
-        lengths_.take(ring, [&](std::uint32_t v) { return data[v].length; });
-        if (rule_.needs_distance()) {
-            distances_.take(ring, [&](std::uint32_t v) { return data[v].distance; });
+        if (rule_.stays(ring, data, stored.length, work_.time)) {
+            return stored.length;
         }
-        const VertexSize<Real> now = rule_.at(ring, lengths_, distances_, work_.time);
+        const VertexSize<Real> now = rule_.at(ring, data, work_.time);
         const Real change = rule_.slack() * std::min(now.length, stored.length);
         const bool is_nearer = std::abs(now.distance - stored.distance) > change;
         // A lowest one that is not there by itself is left over from where the interface was: if it
         // waited for more than the slack, it might wait for ever.
         const bool is_left_over =
-            now.length > stored.length && stored.length <= lowest_of(ring, lengths_);
+            now.length > stored.length &&
+            std::none_of(ring.link.begin(), ring.link.begin() + ring.link_size(),
+                         [&](std::uint32_t v) { return at(v) < stored.length; });
         if (is_nearer || is_left_over || std::abs(now.length - stored.length) > change) {
             const VertexSize<Real> old = stored;
             stored = now;
@@ -81,14 +82,10 @@ private:
         return stored.length;
     }
 
-    static Real lowest_of(const Ring<Real>& ring, const LinkValues<Real>& values) {
-        return *std::min_element(values.at.begin(), values.at.begin() + ring.link_size());
-    }
-
     void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {
         for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
             const Real rise = rule_.slope() * std::sqrt(ring.squared_spoke(i));
-            const Real theirs = lengths_.at[i];
+            const Real theirs = at(ring.link[i]);
             // It falls with this one...
             const bool falls = theirs > (now + rise) * (1 + rule_.slack());
             // ...or was held down by it, along the edge or at less than 60 degrees to it, and may
@@ -103,8 +100,6 @@ private:
     Work<Real>& work_;
     SizeRule<Real> rule_;
     SizeField<Real>* field_;
-    LinkValues<Real> lengths_; // scratch
-    LinkValues<Real> distances_;
 };
 
 /// The vertices whose spokes are too long or too short for the targets of `size_field`: those that
