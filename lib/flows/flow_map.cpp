@@ -71,15 +71,15 @@ FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
     }
     return [stretches = std::move(stretches)](std::span<Point<double>> points) {
         Stepper stepper;
-        Block block;
-        block.fill(Point<double>::Zero());
+        Block together;
+        together.fill(Point<double>::Zero());
         for (std::size_t i = 0; i < points.size(); i += block_size) {
             const auto part = points.subspan(i, std::min(block_size, points.size() - i));
-            std::copy(part.begin(), part.end(), block.begin());
+            std::copy(part.begin(), part.end(), together.begin());
             for (const Stretch& stretch : stretches) {
-                advance(stretch, part.size(), stepper, block);
+                advance(stretch, part.size(), stepper, together);
             }
-            std::copy_n(block.begin(), part.size(), part.begin());
+            std::copy_n(together.begin(), part.size(), part.begin());
         }
     };
 }

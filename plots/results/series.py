@@ -18,6 +18,7 @@ SERIAL = ("reference", "sequential")
 FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles",
                  "scaling_run": "scaling of a circle", "four_circles_run": "four circles",
                  "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
+SAID = {"between_us": "{} µs between steps"}  # of other work
 MUCH = 0.25  # of all cores: from here on a measurement is marked
 GRANULARITY = "granularity_step"  # has a picture of its own
 
@@ -170,7 +171,7 @@ def _all(bench, ending="_step"):
 def _labelled(found):
     for row in found:
         kin = [r for r in found if r.family == row.family and r.strategy == row.strategy]
-        words = [f"{k} {v}" for k, v in row.other
+        words = [SAID.get(k, k + " {}").format(v) for k, v in row.other
                  if len({dict(r.other).get(k) for r in kin}) > 1]
         twins = [r for r in kin if r.triangles == row.triangles and r.other == row.other]
         if any(len({t.submeshes for t in twins if t.threads == u.threads}) > 1 for u in twins):

@@ -139,7 +139,7 @@ class Parallel(Case):
         self.assertEqual(picture.name, "speedup_scaling_run")
         s, label = (picture.header.index(k) for k in ("S(n)", "strategy"))
         self.assertEqual([(r[label], r[s]) for r in picture.rows],
-                         [("cells (between_us 0)", "2.00"), ("cells (between_us 1000)", "1.30")])
+                         [("cells (0 µs between steps)", "2.00"), ("cells (1000 µs between steps)", "1.30")])
         self.assertEqual([p.s for p in series.undisturbed(self.results())], [2.0])
 
     # Submeshes.
