@@ -137,7 +137,7 @@ def _picture(family, rows, measured, sizes, context):
     style.finish(fig, title, style.caption_text(
         context, "Above: measured on one thread, summed over submeshes; everything except the "
         "later colours and the serial parts belongs to the first colour.\nBelow: modelled, not "
-        "measured, from the shortest measured time of each task. Waiting: for a task that is not ready, for "
+        "measured, from the measured time of each task. Waiting: for a task that is not ready, for "
         "the last task of a section, and for threads to start and join."), handles)
     return style.Picture(f"breakdown_{family}", title, plain(family, rows), fig, *_table(rows))
 

@@ -267,8 +267,8 @@ def conditions(family):
     rates = [max((p.row.measurement.counter(name) or 0 for p in family.models), default=0)
              for name in ("bandwidth_of_one_gb_s", "bandwidth_of_all_gb_s")]
     if family.models:
-        text += ("\nHollow and dashed: modelled, not measured. The shortest measured time of each "
-                 "task is scheduled on n workers, plus the serial parts and the measured cost of a "
+        text += ("\nHollow and dashed: modelled, not measured. The tasks of measured steps "
+                 "are scheduled on n workers, plus the serial parts and the measured cost of a "
                  "section's start and end.")
     if all(rates):
         text += (f" Memory, triad: {rates[0]:.3g} GB/s for one core, {rates[1]:.3g} for all, so that "

@@ -34,15 +34,6 @@ void add(ModelAccount& account, const SubStepProfile& one) {
     }
 }
 
-void least(std::vector<double>& values, const std::vector<double>& others) {
-    if (values.size() != others.size()) {
-        throw InvariantError("two runs of the same steps have different tasks");
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = std::min(values[i], others[i]);
-    }
-}
-
 // Of a tree of threads that wake each other.
 double levels(std::uint32_t workers) { return std::ceil(std::log2(workers)); }
 
@@ -121,28 +112,6 @@ void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
         add(run.account, profile);
     }
     run.serial_outside.push_back(std::max(0.0, wall - inside));
-}
-
-void take_least(ModelRun& run, const ModelRun& other) {
-    if (run.steps.empty()) {
-        run = other;
-        return;
-    }
-    least(run.serial_outside, other.serial_outside);
-    for (std::size_t i = 0; i < run.steps.size(); ++i) {
-        for (std::size_t k = 0; k < run.steps[i].size(); ++k) {
-            ModelSubStep& mine = run.steps[i][k];
-            const ModelSubStep& theirs = other.steps.at(i).at(k);
-            mine.serial = std::min(mine.serial, theirs.serial);
-            least(mine.aim.seconds, theirs.aim.seconds);
-            least(mine.move.seconds, theirs.move.seconds);
-            mine.aim.wall = std::min(mine.aim.wall, theirs.aim.wall);
-            mine.move.wall = std::min(mine.move.wall, theirs.move.wall);
-        }
-    }
-    if (other.account.wall < run.account.wall) {
-        run.account = other.account;
-    }
 }
 
 ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A model of a step with more threads than the machine has; wherever its results appear they are
-// labelled as modelled. The tasks of a step are the same in every run, bit for bit, so that the
-// shortest of several measured times is the task's own. They are scheduled on n workers by the
-// rules of dsc/parallel/in_place/schedule.h; serial parts and the measured cost of a section's
-// start and end are added.
+// labelled as modelled. The tasks of a measured run are scheduled on n workers by the rules of
+// dsc/parallel/in_place/schedule.h; serial parts and the measured cost of a section's start and end
+// are added. What disturbs this machine now and then stays in the times, as it does in those of the
+// steps with which the model is compared: without it, by the shortest of several times of each
+// task, the model was 10 % faster than the same steps on one thread.
 //
 // For more than one worker the times are those of runs in which all cores of this machine were at
 // work, so that what they share, caches and memory, has slowed them down as it does here: each of n
@@ -29,7 +30,7 @@ struct Section {
 /// O(tasks^2 * workers) at worst.
 [[nodiscard]] double makespan(const Section& section, std::uint32_t workers, Assignment assignment);
 
-/// One sub-step, with the shortest measured times.
+/// One sub-step, with its measured times.
 struct ModelSubStep {
     double serial = 0; ///< seconds
     Section aim;
@@ -55,14 +56,11 @@ struct ModelAccount {
 struct ModelRun {
     std::vector<std::vector<ModelSubStep>> steps;
     std::vector<double> serial_outside; ///< by step, seconds
-    ModelAccount account;               ///< of the fastest run
+    ModelAccount account;
 };
 
 /// Keeps the account of one step. `wall`: the whole step, in seconds.
 void add_step(ModelRun& run, const SubmeshView& submeshes, double wall);
-
-/// Takes the shorter times of two runs of the same steps. Throws InvariantError where they differ.
-void take_least(ModelRun& run, const ModelRun& other);
 
 struct ModelTimes {
     double seconds = 0;      ///< of all steps

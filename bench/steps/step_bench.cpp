@@ -97,23 +97,15 @@ void measure(benchmark::State& state, const Row& row) {
     }
 }
 
-/// The account of tasks of a strategy on so many threads: the least of all runs so far, at least
-/// `account_runs`.
-const ModelRun& account_of(const Row& row, std::uint32_t threads) {
-    using Key = std::tuple<const Start*, Strategy, std::uint32_t, std::uint32_t>;
-    constexpr int account_runs = 3;
-    static std::map<Key, ModelRun> accounts;
-    const Start& start = *row.start;
-    ModelRun& account = accounts[{&start, row.strategy, row.submeshes, threads}];
-    const int runs = account.steps.empty() ? account_runs : 1;
-    for (int i = 0; i < runs; ++i) {
-        Complex<double> complex = copy_with_room(start.complex);
-        take_least(account, profile_steps(start, complex, row.options(threads)));
-        if (mesh_hash(complex) != answer_of_steps(row).hash) {
-            throw InvariantError("the mesh is not that of a run without an account of times");
-        }
+/// The steps of a row on so many threads, with the account of their tasks.
+ModelRun account_of(const Row& row, std::uint32_t threads) {
+    Complex<double> complex = copy_with_room(row.start->complex);
+    const PeakMemory memory; // gives back what is free: the measured steps begin like that too
+    ModelRun run = profile_steps(*row.start, complex, row.options(threads));
+    if (mesh_hash(complex) != answer_of_steps(row).hash) {
+        throw InvariantError("the mesh is not that of a run without an account of times");
     }
-    return account;
+    return run;
 }
 
 void measure_model(benchmark::State& state, const Row& row) {
@@ -123,7 +115,7 @@ void measure_model(benchmark::State& state, const Row& row) {
         static const double bandwidth_of_one = measure_bandwidth(1);
         static const double bandwidth_of_all = measure_bandwidth(core_count());
         const std::uint32_t at_work = row.threads > 1 ? core_count() : 1;
-        const ModelRun& run = account_of(row, at_work);
+        const ModelRun run = account_of(row, at_work);
         const double start = std::max(fork_join, measured_start(run, at_work));
         const ModelTimes times = model(run, row.threads, start);
         state.SetIterationTime(times.seconds);
@@ -137,12 +129,12 @@ void measure_model(benchmark::State& state, const Row& row) {
         counters["section_start_us"] = start * 1e6;
         counters["bandwidth_of_one_gb_s"] = bandwidth_of_one * 1e-9;
         counters["bandwidth_of_all_gb_s"] = bandwidth_of_all * 1e-9;
-        // What one worker takes for all of it, by the least times.
+        // What one worker takes for all of it.
         counters["us_serial"] = per_step(times.serial);
         counters["us_tasks"] = per_step(times.tasks);
         counters["us_starts"] = per_step(times.starts);
         counters["load"] = load;
-        // Where the time of a step goes, summed over submeshes, in the fastest run.
+        // Where the time of a step goes, summed over submeshes.
         const ModelAccount& total = run.account;
         counters["us_all_tasks"] = per_step(total.tasks);
         counters["us_set_up"] = per_step(total.set_up);
