@@ -158,7 +158,7 @@ int half_of_steps(const ParametricCurve& curve, const Flow& flow, double time) {
         first[static_cast<std::size_t>(i)] = curve.point(static_cast<double>(i) / pilots);
     }
     const double tolerance = same_place * std::sqrt(curve.area);
-    const double most = std::max(200.0, 16.0 * time);
+    const double most = std::clamp(16.0 * time, 200.0, 1e5);
     for (int steps = 8;; steps += steps / 2) {
         Outline rough = first;
         Outline fine = first;
