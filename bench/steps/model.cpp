@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 
 namespace dsc::bench {
 
@@ -135,17 +136,20 @@ ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s) {
 }
 
 double measured_start(const ModelRun& run, std::uint32_t workers) {
-    double rest = 0;
-    double sections = 0;
+    std::vector<double> rest;
     for (const auto& step : run.steps) {
         for (const ModelSubStep& sub_step : step) {
             for (const Section* section : {&sub_step.aim, &sub_step.move}) {
-                rest += section->wall - makespan(*section, workers, Assignment::queue);
-                ++sections;
+                rest.push_back(section->wall - makespan(*section, workers, Assignment::queue));
             }
         }
     }
-    return workers > 1 && sections > 0 ? std::max(0.0, rest / sections / levels(workers)) : 0;
+    if (workers <= 1 || rest.empty()) {
+        return 0;
+    }
+    const auto middle = rest.begin() + static_cast<std::ptrdiff_t>(rest.size() / 2);
+    std::nth_element(rest.begin(), middle, rest.end());
+    return std::max(0.0, *middle / levels(workers));
 }
 
 double measure_bandwidth(std::uint32_t threads) {

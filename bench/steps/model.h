@@ -75,7 +75,7 @@ struct ModelTimes {
 /// each level.
 [[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s);
 
-/// What a section took longer than its tasks on so many workers, in the mean: waking the workers,
+/// What a section took longer than its tasks on so many workers, the median: waking the workers,
 /// and fetching what another core has written. In seconds, for two threads as in `model`. `run`:
 /// measured with so many threads.
 [[nodiscard]] double measured_start(const ModelRun& run, std::uint32_t workers);
