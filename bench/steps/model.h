@@ -2,9 +2,9 @@
 // A model of a step with more threads than the machine has; wherever its results appear they are
 // labelled as modelled. The tasks of a measured run are scheduled on n workers by the rules of
 // dsc/parallel/in_place/schedule.h; serial parts and the measured cost of a section's start and end
-// are added. What disturbs this machine now and then stays in the times, as it does in those of the
-// steps with which the model is compared: without it, by the shortest of several times of each
-// task, the model was 10 % faster than the same steps on one thread.
+// are added. Disturbances of this machine stay in the times of the tasks, as they do in the times
+// of the steps with which the model is compared. With the shortest of several times of each task,
+// the model was 8 to 11 % faster than the same steps on one thread.
 //
 // For more than one worker the times are those of runs in which all cores of this machine were at
 // work, so that what they share, caches and memory, has slowed them down as it does here: each of n

@@ -150,7 +150,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
     scenes::Submeshing submeshing = options.submeshing;
     submeshing.profile = true;
-    submeshing.always_all_threads = true; // where one pays as well, walls would not be those of two
+    submeshing.always_all_threads = true; // even where fewer are as fast
     PassTimes times;
     const Algorithm<double> algorithm = timed_algorithm(times);
     const Prepared made =

@@ -26,8 +26,8 @@ constexpr double most_parts = 64.0;
 /// The initial number of markers on each smooth piece of a curve.
 constexpr int first_markers = 256;
 /// Points that show how many steps a flow needs, and how close two places must be to be the same,
-/// in units of the square root of the curve's area. What steps are late by is nearly all along the
-/// curve: of the area that it sweeps, own_error sees a thousandth.
+/// in units of the square root of the curve's area. Steps that are too long move points along the
+/// curve rather than off it: own_error sees a thousandth of the area that such errors sweep.
 constexpr int pilots = 128;
 constexpr double same_place = 5e-7;
 
@@ -151,7 +151,7 @@ double rounding_error(std::span<const Outline> outlines) {
     return 4.0 * std::numeric_limits<double>::epsilon() * size * perimeter(outlines);
 }
 
-/// The number of steps that leads some points of the curve to the same places as twice as many.
+/// So many steps lead some points of the curve to the same places as twice as many steps do.
 int half_of_steps(const ParametricCurve& curve, const Flow& flow, double time) {
     Outline first(pilots);
     for (int i = 0; i < pilots; ++i) {

@@ -124,8 +124,8 @@ public:
         return !options_.by_place && !options_.on_interface && is_on_interface(ring);
     }
 
-    /// Whether it is easily seen that `at` differs from a stored length by no more than the slack,
-    /// and that something is lower: most stars, without a root or a quotient. O(degree).
+    /// Whether a test without roots and quotients shows that `at` differs from a stored length by
+    /// no more than the slack, and that a neighbour is lower. It does for most stars. O(degree).
     template <class Sizes>
     [[nodiscard]] bool stays(const Ring<Real>& ring, const Sizes& sizes, Real stored,
                              Real time) const {
