@@ -46,11 +46,27 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
     std::vector<double> ended(n, never);
     std::vector<bool> taken(n, false);
     std::vector<double> free_at(workers, 0);
+    std::vector<double> busy(workers, 0);
+    std::vector<double> late_at(workers, 0); // when it could have done another one since the last
+    std::vector<int> done(workers, 0);
     std::size_t left = n;
     double last = 0;
     const auto is_ready = [&](std::size_t task, double now) {
         return std::ranges::all_of(tasks.predecessors(task),
                                    [&](std::uint32_t earlier) { return ended[earlier] <= now; });
+    };
+    // As in `Schedule`: the last task of a worker that has begun others.
+    const auto is_last_one = [&](std::size_t task) {
+        bool has_begun = false;
+        for (std::size_t other = 0; other < n; ++other) {
+            if (other != task && tasks.home_of(other, workers) == tasks.home_of(task, workers)) {
+                if (!taken[other]) {
+                    return false;
+                }
+                has_begun = true;
+            }
+        }
+        return has_begun;
     };
     while (left > 0) {
         const auto worker = static_cast<std::uint32_t>(
@@ -67,7 +83,8 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
         for (std::size_t i = n; i > 0 && next == n && assignment == Assignment::queue; --i) {
             if (!taken[i - 1]) {
                 has_work = true;
-                next = is_ready(i - 1, now) ? i - 1 : next;
+                const bool may_be_taken = now >= late_at[worker] || !is_last_one(i - 1);
+                next = may_be_taken && is_ready(i - 1, now) ? i - 1 : next;
             }
         }
         if (next < n) {
@@ -75,10 +92,12 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
             --left;
             ended[next] = now + section.seconds[next];
             free_at[worker] = ended[next];
+            busy[worker] += section.seconds[next];
+            late_at[worker] = ended[next] + busy[worker] / ++done[worker];
             last = std::max(last, ended[next]);
         } else {
-            // Nothing yet: when the next of the others ends, or never again.
-            double wake = never;
+            // Nothing yet: when the next of the others ends, or is late, or never again.
+            double wake = now < late_at[worker] ? late_at[worker] : never;
             for (const double end : ended) {
                 wake = end > now ? std::min(wake, end) : wake;
             }
@@ -135,6 +154,12 @@ ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s) {
     return times;
 }
 
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 double measured_start(const ModelRun& run, std::uint32_t workers) {
     std::vector<double> rest;
     for (const auto& step : run.steps) {
@@ -147,9 +172,7 @@ double measured_start(const ModelRun& run, std::uint32_t workers) {
     if (workers <= 1 || rest.empty()) {
         return 0;
     }
-    const auto middle = rest.begin() + static_cast<std::ptrdiff_t>(rest.size() / 2);
-    std::nth_element(rest.begin(), middle, rest.end());
-    return std::max(0.0, *middle / levels(workers));
+    return std::max(0.0, median(std::move(rest)) / levels(workers));
 }
 
 double measure_bandwidth(std::uint32_t threads) {

@@ -75,6 +75,9 @@ struct ModelTimes {
 /// each level.
 [[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s);
 
+/// The upper one of two in the middle. Must not be empty.
+[[nodiscard]] double median(std::vector<double> values);
+
 /// What a section took longer than its tasks on so many workers, the median: waking the workers,
 /// and fetching what another core has written. In seconds, for two threads as in `model`. `run`:
 /// measured with so many threads.

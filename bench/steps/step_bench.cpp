@@ -55,11 +55,6 @@ std::map<const Start*, std::vector<double>>& reference_times() {
     return times;
 }
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
-
 void report(benchmark::State& state, const Row& row, const StepRun& run, const Answer& answer,
             double load) {
     count(state, row, run, run.wall_s, answer, load);

@@ -77,37 +77,55 @@ void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>&
     states_[task].store(outcome, std::memory_order_release);
 }
 
+// Whether the task is the last one of a thread that is at work. To fetch what it works on from the
+// other core then takes longer than to let its thread come to it.
+bool Schedule::is_last_one(std::size_t task, std::uint32_t threads) const {
+    bool has_begun = false;
+    for (std::size_t other = 0; other < tasks.size(); ++other) {
+        if (other != task && tasks.home_of(other, threads) == tasks.home_of(task, threads)) {
+            if (states_[other].load(std::memory_order_relaxed) == waiting) {
+                return false;
+            }
+            has_begun = true;
+        }
+    }
+    return has_begun;
+}
+
 double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment assignment,
                       const std::function<void(std::size_t)>& run) {
     const bool takes_over = assignment == Assignment::queue;
     WaitingTurns turns;
     Timer round; // a clock is read once for each round and not for each task
     double busy_s = 0;
+    double idle_s = 0; // since the last task
+    std::uint32_t done_here = 0;
     while (true) {
         bool is_any_left = false; // that this thread has to see to
         bool has_run = false;
-        // First this thread's own tasks in order; then, from the end, those that others have not
-        // begun.
+        const auto attempt = [&](std::size_t task) {
+            if (!is_ready(task) || !claim(task)) {
+                return false;
+            }
+            run_one(task, run);
+            ++done_here;
+            return has_run = true;
+        };
+        // First this thread's own tasks in order; then, from the end, those of others: the last one
+        // of a thread only if that could have done one in the time that this one has been idle.
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             if (states_[task].load(std::memory_order_relaxed) != waiting) {
                 continue;
             }
-            if (tasks.home_of(task, threads) != thread) {
-                // The section ends with the caller's part, so the caller waits for the others.
-                is_any_left = is_any_left || takes_over || thread == 0;
-            } else if (is_ready(task) && claim(task)) {
-                run_one(task, run);
-                has_run = true;
-            } else {
-                is_any_left = true;
-            }
+            // The section ends with the caller's part, so the caller waits for the others.
+            const bool is_own = tasks.home_of(task, threads) == thread;
+            is_any_left |= is_own ? !attempt(task) : takes_over || thread == 0;
         }
+        const bool is_late = idle_s * done_here >= busy_s;
         for (std::size_t i = tasks.size(); takes_over && i > 0 && !has_run; --i) {
-            const std::size_t task = i - 1;
-            if (states_[task].load(std::memory_order_relaxed) == waiting && is_ready(task) &&
-                claim(task)) {
-                run_one(task, run);
-                has_run = true;
+            if (states_[i - 1].load(std::memory_order_relaxed) == waiting &&
+                (is_late || !is_last_one(i - 1, threads))) {
+                attempt(i - 1);
             }
         }
         if (!is_any_left && !has_run) {
@@ -116,8 +134,10 @@ double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment as
         const double round_s = round.lap();
         if (has_run) {
             busy_s += round_s;
+            idle_s = 0;
             turns.start_over();
         } else {
+            idle_s += round_s;
             turns.wait();
         }
     }

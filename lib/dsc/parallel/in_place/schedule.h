@@ -30,6 +30,7 @@ public:
 
 private:
     [[nodiscard]] bool is_ready(std::size_t task) const;
+    [[nodiscard]] bool is_last_one(std::size_t task, std::uint32_t threads) const;
     [[nodiscard]] bool follows_failure(std::size_t task) const;
     bool claim(std::size_t task);
     /// Returns for how many seconds the thread was busy with tasks.

@@ -3,8 +3,6 @@
 // without asking the others.
 #include "dsc/parallel/in_place/submesh_part.h"
 
-#include <algorithm>
-
 namespace dsc {
 
 namespace {
@@ -36,9 +34,8 @@ std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
 
 // Room for what the pools are about to take, for what they take when a longer interface has more
 // submeshes, and for a mesh that grows by half: to copy the arrays in a step would take as long as
-// ten steps. What is never used of it is never touched, so it is no memory of the machine, but for
-// what is about to be lent: to touch a page for the first time takes as long as some ten stars.
-// Beyond that the arrays double, as vectors do.
+// ten steps. What is never used of it is never touched, so it is no memory of the machine. Beyond
+// that the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
@@ -49,13 +46,6 @@ void SubmeshExecutor<Real>::make_room() {
         return bound + bound / 2 + 4 * each * lent;
     };
     complex_.reserve(roomy(complex_.vertex_bound(), 1), roomy(complex_.triangle_bound(), 2));
-    const auto touch = [](auto& records, std::size_t count) {
-        const std::size_t size = records.size();
-        records.resize(std::min(size + count, records.capacity()));
-        records.resize(size);
-    };
-    touch(complex_.vertices, 4 * lent);
-    touch(complex_.triangles, 8 * lent);
 }
 
 template <class Real>
