@@ -47,7 +47,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
     std::vector<bool> taken(n, false);
     std::vector<double> free_at(workers, 0);
     std::vector<double> busy(workers, 0);
-    std::vector<double> late_at(workers, 0); // when it could have done another one since the last
+    std::vector<double> late_at(workers, 0); // idle for as long as its tasks took in the mean
     std::vector<int> done(workers, 0);
     std::size_t left = n;
     double last = 0;

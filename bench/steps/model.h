@@ -27,7 +27,7 @@ struct Section {
 };
 
 /// The time from the first task's begin to the last one's end on so many workers, in seconds.
-/// O(tasks^2 * workers) at worst.
+/// O(tasks^3 * workers) at worst.
 [[nodiscard]] double makespan(const Section& section, std::uint32_t workers, Assignment assignment);
 
 /// One sub-step, with its measured times.
@@ -75,7 +75,7 @@ struct ModelTimes {
 /// each level.
 [[nodiscard]] ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s);
 
-/// The upper one of two in the middle. Must not be empty.
+/// The median; of an even number of values the upper one in the middle. There must be a value.
 [[nodiscard]] double median(std::vector<double> values);
 
 /// What a section took longer than its tasks on so many workers, the median: waking the workers,

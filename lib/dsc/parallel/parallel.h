@@ -27,8 +27,8 @@ extern const Division cells_division; ///< submeshes that follow the interface
 /// Which thread runs which task.
 enum class Assignment : std::uint8_t {
     fixed, ///< each thread always has the same share of each colour: static assignment
-    queue, ///< the same, but an idle thread takes over tasks that wait behind another one, and the
-           ///< last of a thread that does not get round to it
+    queue, ///< the same, but an idle thread takes over tasks that nobody has begun: the last task
+           ///< of another thread only if that thread is late
 };
 
 inline constexpr std::array assignment_names{

@@ -77,8 +77,8 @@ void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>&
     states_[task].store(outcome, std::memory_order_release);
 }
 
-// Whether the task is the last one of a thread that is at work. To fetch what it works on from the
-// other core then takes longer than to let its thread come to it.
+// Whether the task is the last one of a thread that is at work. To fetch its part of the mesh from
+// that thread's core would take longer than to wait for the thread. O(tasks).
 bool Schedule::is_last_one(std::size_t task, std::uint32_t threads) const {
     bool has_begun = false;
     for (std::size_t other = 0; other < tasks.size(); ++other) {
@@ -104,26 +104,26 @@ double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment as
         bool is_any_left = false; // that this thread has to see to
         bool has_run = false;
         const auto attempt = [&](std::size_t task) {
-            if (!is_ready(task) || !claim(task)) {
+            if (!claim(task)) {
                 return false;
             }
             run_one(task, run);
             ++done_here;
             return has_run = true;
         };
-        // First this thread's own tasks in order; then, from the end, those of others: the last one
-        // of a thread only if that could have done one in the time that this one has been idle.
+        // First this thread's own tasks in order; then, from the end, the tasks of others: the last
+        // one of a thread only if this thread has been idle for as long as a task takes.
         for (std::size_t task = 0; task < tasks.size(); ++task) {
             if (states_[task].load(std::memory_order_relaxed) != waiting) {
                 continue;
             }
             // The section ends with the caller's part, so the caller waits for the others.
             const bool is_own = tasks.home_of(task, threads) == thread;
-            is_any_left |= is_own ? !attempt(task) : takes_over || thread == 0;
+            is_any_left |= is_own ? !(is_ready(task) && attempt(task)) : takes_over || thread == 0;
         }
         const bool is_late = idle_s * done_here >= busy_s;
         for (std::size_t i = tasks.size(); takes_over && i > 0 && !has_run; --i) {
-            if (states_[i - 1].load(std::memory_order_relaxed) == waiting &&
+            if (states_[i - 1].load(std::memory_order_relaxed) == waiting && is_ready(i - 1) &&
                 (is_late || !is_last_one(i - 1, threads))) {
                 attempt(i - 1);
             }

@@ -34,8 +34,8 @@ std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
 
 // Room for what the pools are about to take, for what they take when a longer interface has more
 // submeshes, and for a mesh that grows by half: to copy the arrays in a step would take as long as
-// ten steps. What is never used of it is never touched, so it is no memory of the machine. Beyond
-// that the arrays double, as vectors do.
+// ten steps. Room that is never used is never touched, and takes no memory. Beyond that the arrays
+// double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
