@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -103,41 +104,60 @@ double wall_energy(const CurvatureFlowOptions& options, Phase phase) {
 
 namespace detail {
 
+/// One implicit step, with the areas that are kept in it.
+struct CurvatureStep {
+    CurveSystem system;
+    AreaKeeper keeper;
+    std::vector<Point<double>> displacements;
+
+    void begin(const CurveGraph& graph, std::span<const KeptArea> kept) {
+        system.begin(graph);
+        keeper.begin(graph, kept);
+    }
+    void make(std::span<const Point<double>> start, double dt, const InShares& in_shares) {
+        system.step(start, dt, in_shares, displacements, keeper.rows(start, in_shares));
+        if (!keeper.look(start, displacements, in_shares)) {
+            system.step(start, dt, in_shares, displacements);
+            (void)keeper.look(start, displacements, in_shares);
+        }
+        keeper.shift(displacements, in_shares);
+    }
+};
+
 /// What a call works with. Its memory serves the next one.
 struct CurvatureWork {
     CurveNetwork network;
-    CurveSystem system;
-    AreaKeeper keeper;
-    std::vector<Point<double>> whole;
+    CurveGraph graph;
+    CurvatureStep whole;
+    CurvatureStep half;
     std::vector<Point<double>> first;
     std::vector<Point<double>> middle;
-    std::vector<Point<double>> second;
 
     /// The displacements of the network in dt, in `first`. One step and two of half the length;
     /// their errors of first order cancel in twice the one minus the other, which is still damped
-    /// for stiff modes.
+    /// for stiff modes. The step and the first half do not depend on each other.
     void extrapolate(std::span<const KeptArea> kept, double dt, const InShares& in_shares) {
-        system.begin(network, in_shares);
-        keeper.begin(network, kept);
+        constexpr std::size_t few = 128; // vertices: they are done before another thread has begun
         const std::span<const Point<double>> start = network.positions;
-        step(start, dt, whole);
-        step(start, dt / 2, first);
+        const InShares& shares = start.size() < few ? one_by_one : in_shares;
+        graph.begin(network);
+        const auto make = [&](std::size_t i) {
+            CurvatureStep& step = i == 0 ? whole : half;
+            step.begin(graph, kept);
+            step.make(start, i == 0 ? dt : dt / 2, one_by_one);
+        };
+        shares(2, std::cref(make));
+        std::swap(first, half.displacements);
         middle.resize(start.size());
         for (std::size_t i = 0; i < middle.size(); ++i) {
             middle[i] = start[i] + first[i];
         }
-        step(middle, dt / 2, second);
+        half.make(middle, dt / 2, shares);
         for (std::size_t i = 0; i < first.size(); ++i) {
-            first[i] = 2 * (first[i] + second[i]) - whole[i];
+            first[i] = 2 * (first[i] + half.displacements[i]) - whole.displacements[i];
         }
-        keeper.keep(start, first, nullptr);
-    }
-
-private:
-    void step(std::span<const Point<double>> positions, double dt,
-              std::vector<Point<double>>& displacements) {
-        system.step(positions, dt, displacements);
-        keeper.keep(positions, displacements, &system);
+        (void)whole.keeper.look(start, first, shares);
+        whole.keeper.shift(first, shares);
     }
 };
 

@@ -67,9 +67,10 @@ struct CurvatureFlowOptions {
 /// which would stand in a junction's way.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
-/// allocates. The threads of the step share the curves between junctions; what is done for the
-/// junctions and for kept areas, the calling thread does alone. The function has no memory:
-/// simulations in several threads may share it. Throws InputError if an option is out of range.
+/// allocates. The threads of the step share the curves between junctions, and the step and the two
+/// halves; what is done for the junctions and pressures of one of them, one thread does alone. The
+/// function has no memory: simulations in several threads may share it. Throws InputError if an
+/// option is out of range.
 template <class Real>
 [[nodiscard]] InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options = {});
 

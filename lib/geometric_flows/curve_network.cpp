@@ -18,8 +18,7 @@ constexpr double shortest_edge = 1e-150;
 /// below the rounding error, 1e-16, would leave the matrix without an inverse, and hold all curves.
 constexpr double shortest_share = 1e-6;
 
-double length_of(const CurveEdge& edge, std::span<const Point<double>> positions,
-                 double shortest = shortest_edge) {
+double length_of(const CurveEdge& edge, std::span<const Point<double>> positions, double shortest) {
     return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest);
 }
 
@@ -77,19 +76,10 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
     return is_straight ? along(after / after.norm()) : nowhere;
 }
 
-void lump_drag(const CurveNetwork& network, std::span<const Point<double>> positions,
-               std::vector<double>& drag) {
-    drag.assign(positions.size(), 0.0);
-    for (const CurveEdge& edge : network.edges) {
-        const double half = edge.forces.drag * length_of(edge, positions) / 2;
-        drag[edge.from] += half;
-        drag[edge.to] += half;
-    }
-}
-
-void CurveSystem::begin(const CurveNetwork& network, const InShares& in_shares) {
-    network_ = &network;
-    solver_.begin(network, in_shares);
+void CurveSystem::begin(const CurveGraph& graph) {
+    graph_ = &graph;
+    solver_.begin(graph);
+    const CurveNetwork& network = graph.network();
     fastest_ = 0;
     for (const CurveEdge& edge : network.edges) {
         if (edge.forces.drag > 0) {
@@ -128,6 +118,7 @@ Freedom CurveSystem::Drag::across() const {
 // alike, which is an error of the order of dt.
 void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>> positions,
                            double dt, std::span<Point<double>> forces) {
+    const CurveNetwork& network = graph_->network();
     const double shortest = std::max(shortest_share * std::sqrt(dt * fastest_), shortest_edge);
     for (const std::uint32_t i : part.vertices) {
         own_[i] = nowhere;
@@ -135,21 +126,21 @@ void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>>
         forces[i].setZero();
     }
     for (const std::uint32_t e : part.edges) {
-        const CurveEdge& edge = network_->edges[e];
+        const CurveEdge& edge = network.edges[e];
         const Point<double> way = positions[edge.to] - positions[edge.from];
         const double length = length_of(edge, positions, shortest);
         const Point<double> direction = way / length;
         const double stiffness = edge.forces.tension / length;
         const double half = edge.forces.drag * length / (2 * dt);
         const auto add_at = [&](std::uint32_t i, double sign) {
-            if (solver_.is_junction(i) != part.are_junctions) {
+            if (graph_->is_junction(i) != part.are_junctions) {
                 return; // it belongs to another part
             }
             Freedom drag = half * anywhere;
-            if (network_->is_junction[i] != 0) {
+            if (network.is_junction[i] != 0) {
                 // A junction that moves along one of its curves does not move the curve.
                 drag = half * rest_of(along(direction));
-            } else if (network_->is_between[i] != 0 && edge.forces.tension > 0) {
+            } else if (network.is_between[i] != 0 && edge.forces.tension > 0) {
                 between_[i].add(half, sign * direction);
                 drag = nowhere;
             }
@@ -158,20 +149,20 @@ void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>>
         };
         add_at(edge.from, 1);
         add_at(edge.to, -1);
-        const Freedom& one = network_->freedom[edge.from];
-        const Freedom& other = network_->freedom[edge.to];
+        const Freedom& one = network.freedom[edge.from];
+        const Freedom& other = network.freedom[edge.to];
         coupling_[e] = {-stiffness, 0, 0, -stiffness};
         if (!one.is_full() || !other.is_full()) {
             coupling_[e] = block_of(one) * coupling_[e] * block_of(other);
         }
     }
     if (part.are_junctions) {
-        for (const EndForce& end : network_->ends) {
+        for (const EndForce& end : network.ends) {
             forces[end.vertex] += end.force;
         }
     }
     for (const std::uint32_t i : part.vertices) {
-        const Freedom& free = network_->freedom[i];
+        const Freedom& free = network.freedom[i];
         diagonal_[i] = block_of(own_[i] + between_[i].across());
         if (!free.is_full()) {
             diagonal_[i] = block_of(free) * diagonal_[i] * block_of(free);
@@ -182,23 +173,20 @@ void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>>
 }
 
 void CurveSystem::step(std::span<const Point<double>> positions, double dt,
-                       std::vector<Point<double>>& displacements) {
+                       const InShares& in_shares, std::vector<Point<double>>& displacements,
+                       const PressureRows& rows) {
     displacements.resize(positions.size());
-    solver_.for_each_share([&](std::size_t share) {
-        assemble(solver_.part(share), positions, dt, displacements);
+    graph_->for_each_share(in_shares, [&](std::size_t share) {
+        assemble(graph_->part(share), positions, dt, displacements);
         solver_.eliminate(share, diagonal_, coupling_);
         solver_.reduce(share, displacements);
+        if (!rows.gains.empty()) {
+            solver_.reduce(share, displacements, rows);
+        }
     });
-    assemble(solver_.junctions(), positions, dt, displacements);
-    solver_.factorise_junctions(diagonal_, coupling_);
-    solver_.finish(displacements);
-}
-
-void CurveSystem::respond(std::span<Point<double>> forces) {
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-        forces[i] = network_->freedom[i].of(forces[i]);
-    }
-    solver_.solve(forces);
+    assemble(graph_->junctions(), positions, dt, displacements);
+    solver_.factorise_junctions(diagonal_, rows);
+    solver_.finish(displacements, in_shares, rows);
 }
 
 template Freedom freedom_of(const InterfaceView<double>&, std::size_t);

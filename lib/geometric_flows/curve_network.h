@@ -69,23 +69,17 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
 template <class Real>
 [[nodiscard]] Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i);
 
-/// Half of the drag of its edges, for each vertex: the lumped mass of a scalar. O(edges).
-void lump_drag(const CurveNetwork& network, std::span<const Point<double>> positions,
-               std::vector<double>& drag);
-
 /// Implicit Euler steps of one network after the other. Reuses its memory.
 class CurveSystem {
 public:
-    /// Takes up a network, and the threads that share its curves in a step; both must live as long
-    /// as steps of it are made. O(vertices and edges).
-    void begin(const CurveNetwork& network, const InShares& in_shares);
+    /// Takes up a network, which must live as long as steps of it are made. O(edges).
+    void begin(const CurveGraph& graph);
     /// The displacements in a time dt of vertices that are at `positions`; NaN where the system
-    /// cannot be solved. O(vertices).
-    void step(std::span<const Point<double>> positions, double dt,
-              std::vector<Point<double>>& displacements);
-    /// Turns forces on the vertices into the additional displacements in the last step if they had
-    /// acted as well. Only after a step that was not NaN. O(vertices).
-    void respond(std::span<Point<double>> forces);
+    /// cannot be solved. With rows, pressures act during the step: the areas that they hold gain to
+    /// first order what the rows say. Uses up the rows. O(vertices), and a sparse solution for the
+    /// junctions and pressures.
+    void step(std::span<const Point<double>> positions, double dt, const InShares& in_shares,
+              std::vector<Point<double>>& displacements, const PressureRows& rows = {});
 
 private:
     /// The drag of a vertex between two edges of a curve.
@@ -99,7 +93,7 @@ private:
     void assemble(const CurvePart& part, std::span<const Point<double>> positions, double dt,
                   std::span<Point<double>> forces);
 
-    const CurveNetwork* network_ = nullptr;
+    const CurveGraph* graph_ = nullptr;
     double fastest_ = 0;          ///< tension / drag at most, in area per time
     std::vector<Freedom> own_;    ///< by vertex: what its edges add to its block
     std::vector<Drag> between_;   ///< by vertex

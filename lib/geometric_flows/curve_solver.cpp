@@ -10,11 +10,6 @@ namespace dsc {
 
 namespace {
 
-/// More shares than most machines have cores: curves, and with them shares, differ in length.
-constexpr std::size_t most_shares = 8;
-/// Vertices of a share at least: about ten microseconds of work.
-constexpr std::size_t least_of_a_share = 256;
-
 /// NaN unless the block, which is symmetric, is positive definite.
 Block inverse_of(const Block& block) {
     const double determinant = block.xx * block.yy - block.xy * block.yx;
@@ -26,206 +21,106 @@ Block inverse_of(const Block& block) {
     return {block.yy * scale, -block.xy * scale, -block.yx * scale, block.xx * scale};
 }
 
+/// Areas are taken to yield to their pressures by this share more than they do, and by as much of
+/// what their junctions let them: no pivot is zero then, whether only junctions surround a phase,
+/// or the areas of some phases always have the same sum. What is lost of an area by that is shifted
+/// back.
+constexpr double softness = 1e-8;
+
 } // namespace
 
-void CurveSolver::begin(const CurveNetwork& network, const InShares& in_shares) {
-    network_ = &network;
-    in_shares_ = &in_shares;
-    for (auto* list : {&junctions_, &arms_, &vertices_, &edges_}) {
-        list->clear();
-    }
-    curves_.clear();
-    places_.clear();
-    ends_.clear();
-    find_sides();
-    find_curves();
-    to_from_.resize(places_.size());
-    left_.resize(junctions_.size());
-}
-
-// --- the curves ----------------------------------------------------------------------------------
-
-// A vertex that has not just two edges counts as a junction.
-void CurveSolver::find_sides() {
-    const std::size_t n = network_->positions.size();
-    degree_.assign(n, 0);
-    edges_at_.assign(n, {no_id, no_id});
-    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
-        for (const std::uint32_t v : {network_->edges[e].from, network_->edges[e].to}) {
-            if (degree_[v] < 2) {
-                edges_at_[v][degree_[v]] = e;
-            }
-            ++degree_[v];
-        }
-    }
-    number_.assign(n, no_id);
-    for (std::uint32_t v = 0; v < n; ++v) {
-        if (network_->is_junction[v] != 0 || degree_[v] != 2) {
-            number_[v] = static_cast<std::uint32_t>(junctions_.size());
-            junctions_.push_back(v);
-        }
-    }
-}
-
-void CurveSolver::find_curves() {
-    places_.reserve(number_.size() - junctions_.size());
-    end_share(); // where the first one begins
-    is_taken_.assign(network_->edges.size(), 0);
-    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
-        const CurveEdge& edge = network_->edges[e];
-        const bool starts = number_[edge.from] != no_id;
-        const bool ends = number_[edge.to] != no_id;
-        if (starts || ends) {
-            arms_.push_back(e);
-        }
-        if (starts && ends) {
-            is_taken_[e] = 1;
-        } else if ((starts || ends) && is_taken_[e] == 0) {
-            follow(starts ? edge.from : edge.to, e);
-        }
-    }
-    first_loop_ = curves_.size();
-    for (std::uint32_t e = 0; e < network_->edges.size(); ++e) {
-        if (is_taken_[e] == 0) {
-            follow(network_->edges[e].from, e);
-        }
-    }
-    if (ends_.back().curves < curves_.size()) {
-        end_share();
-    }
-}
-
-std::uint32_t CurveSolver::far_end(std::uint32_t edge, std::uint32_t vertex) const {
-    const CurveEdge& e = network_->edges[edge];
-    return e.from == vertex ? e.to : e.from;
-}
-
-// Along the curve that leaves the anchor by this edge, to its other anchor. The curve ends its
-// share if that has vertices enough.
-void CurveSolver::follow(std::uint32_t anchor, std::uint32_t edge) {
-    Curve curve{.begin = places_.size(),
-                .end = 0,
-                .from = anchor,
-                .to = anchor,
-                .last = {},
-                .is_loop = number_[anchor] == no_id};
-    if (curve.is_loop) {
-        vertices_.push_back(anchor);
-    }
-    std::uint32_t v = far_end(edge, anchor);
-    for (; number_[v] == no_id && v != anchor; v = far_end(edge, v)) {
-        is_taken_[edge] = 1;
-        places_.push_back({.vertex = v, .before = {edge, network_->edges[edge].from == v}});
-        vertices_.push_back(v);
-        edges_.push_back(edge);
-        edge = edges_at_[v][edges_at_[v][0] == edge ? 1 : 0];
-    }
-    is_taken_[edge] = 1;
-    edges_.push_back(edge);
-    curve.end = places_.size();
-    curve.to = v;
-    curve.last = {edge, network_->edges[edge].from == places_.back().vertex};
-    curves_.push_back(curve);
-    const std::size_t enough =
-        std::max(least_of_a_share, (number_.size() - junctions_.size()) / most_shares + 1);
-    if (vertices_.size() - ends_.back().vertices >= enough) {
-        end_share();
-    }
-}
-
-std::span<CurveSolver::Curve> CurveSolver::curves_of(std::size_t share) {
-    return {curves_.data() + ends_[share].curves, curves_.data() + ends_[share + 1].curves};
-}
-
-CurvePart CurveSolver::part(std::size_t share) const {
-    const ShareEnd& begin = ends_[share];
-    const ShareEnd& end = ends_[share + 1];
-    return {{vertices_.data() + begin.vertices, vertices_.data() + end.vertices},
-            {edges_.data() + begin.edges, edges_.data() + end.edges},
-            false};
+void CurveSolver::begin(const CurveGraph& graph) {
+    graph_ = &graph;
+    factors_.resize(graph.places().size());
+    to_from_.resize(graph.places().size());
+    rests_.resize(graph.curves().size());
+    left_.resize(graph.junctions().vertices.size());
 }
 
 // --- elimination ---------------------------------------------------------------------------------
 
-void CurveSolver::eliminate(Curve& curve, std::span<const Block> diagonal,
-                            std::span<const Block> coupling) {
-    const auto block_of = [&](const Side& side) {
+void CurveSolver::eliminate_curve(std::size_t curve, std::span<const Block> diagonal,
+                                  std::span<const Block> coupling) {
+    const NetworkCurve& of = graph_->curves()[curve];
+    const auto block_of = [&](const CurveSide& side) {
         return side.is_first ? coupling[side.edge] : coupling[side.edge].transposed();
     };
     Remainder rest;
-    for (std::size_t k = curve.begin; k < curve.end; ++k) {
-        Place& place = places_[k];
-        place.to_before = block_of(place.before);
-        Block own = diagonal[place.vertex];
-        if (k == curve.begin) {
-            place.to_first = place.to_before;
-        } else {
-            const Place& before = places_[k - 1];
-            const Block factor = place.to_before * before.inverse;
-            own += -(factor * place.to_before.transposed());
-            place.to_first = -(factor * before.to_first);
-        }
-        place.inverse = inverse_of(own);
-        rest.at_first += -(place.to_first.transposed() * (place.inverse * place.to_first));
+    rest.to_last = block_of(of.last);
+    if (of.begin == of.end) {
+        rest.across = rest.to_last.transposed();
+        rests_[curve] = rest;
+        return;
     }
-    const Place& last = places_[curve.end - 1];
-    curve.to_last = block_of(curve.last);
-    const Block factor = curve.to_last.transposed() * last.inverse;
-    rest.at_last = -(factor * curve.to_last);
-    rest.across = -(factor * last.to_first);
-    curve.rest = rest;
-    if (curve.is_loop) {
-        Block left = diagonal[curve.from];
+    for (std::size_t k = of.begin; k < of.end; ++k) {
+        const CurvePlace& place = graph_->places()[k];
+        Factor& factor = factors_[k];
+        factor.to_before = block_of(place.before);
+        Block own = diagonal[place.vertex];
+        if (k == of.begin) {
+            factor.to_first = factor.to_before;
+        } else {
+            const Factor& before = factors_[k - 1];
+            const Block along = factor.to_before * before.inverse;
+            own += -(along * factor.to_before.transposed());
+            factor.to_first = -(along * before.to_first);
+        }
+        factor.inverse = inverse_of(own);
+        rest.at_first += -(factor.to_first.transposed() * (factor.inverse * factor.to_first));
+    }
+    const Factor& last = factors_[of.end - 1];
+    const Block along = rest.to_last.transposed() * last.inverse;
+    rest.at_last = -(along * rest.to_last);
+    rest.across = -(along * last.to_first);
+    if (of.is_loop) {
+        Block left = diagonal[of.from];
         for (const Block& more :
              {rest.at_first, rest.at_last, rest.across, rest.across.transposed()}) {
             left += more;
         }
-        curve.cut_inverse = inverse_of(left);
+        rest.cut_inverse = inverse_of(left);
     }
+    rests_[curve] = rest;
 }
 
 void CurveSolver::eliminate(std::size_t share, std::span<const Block> diagonal,
                             std::span<const Block> coupling) {
-    for (Curve& curve : curves_of(share)) {
-        eliminate(curve, diagonal, coupling);
+    for (const std::size_t curve : graph_->curves_of(share)) {
+        eliminate_curve(curve, diagonal, coupling);
     }
 }
 
-void CurveSolver::factorise_junctions(std::span<const Block> diagonal,
-                                      std::span<const Block> coupling) {
-    if (junctions_.empty()) {
+void CurveSolver::factorise_junctions(std::span<const Block> diagonal, const PressureRows& rows) {
+    const CurvePart junctions = graph_->junctions();
+    const std::size_t size = 2 * junctions.vertices.size() + rows.gains.size();
+    if (size == 0) {
         return;
     }
     entries_.clear();
-    for (std::size_t i = 0; i < junctions_.size(); ++i) {
-        left_[i] = diagonal[junctions_[i]];
+    for (std::size_t i = 0; i < junctions.vertices.size(); ++i) {
+        left_[i] = diagonal[junctions.vertices[i]];
     }
-    for (const Curve& curve : between_junctions()) {
-        const std::uint32_t from = number_[curve.from];
-        const std::uint32_t to = number_[curve.to];
-        left_[from] += curve.rest.at_first;
-        left_[to] += curve.rest.at_last;
+    for (std::size_t c = 0; c < graph_->between_junctions().size(); ++c) {
+        const std::uint32_t from = graph_->number(graph_->curves()[c].from);
+        const std::uint32_t to = graph_->number(graph_->curves()[c].to);
+        const Remainder& rest = rests_[c];
+        left_[from] += rest.at_first;
+        left_[to] += rest.at_last;
         if (from == to) {
-            left_[from] += curve.rest.across;
-            left_[from] += curve.rest.across.transposed();
+            left_[from] += rest.across;
+            left_[from] += rest.across.transposed();
         } else {
-            add_block(to, from, curve.rest.across);
+            add_block(to, from, rest.across);
         }
     }
-    for (const std::uint32_t e : arms_) {
-        const std::uint32_t from = number_[network_->edges[e].from];
-        const std::uint32_t to = number_[network_->edges[e].to];
-        if (from != no_id && to != no_id) {
-            add_block(from, to, coupling[e]);
-        }
-    }
-    for (std::size_t k = 0; k < junctions_.size(); ++k) {
+    for (std::size_t k = 0; k < left_.size(); ++k) {
         const int i = 2 * static_cast<int>(k);
         entries_.emplace_back(i, i, left_[k].xx);
         entries_.emplace_back(i + 1, i, left_[k].yx);
         entries_.emplace_back(i + 1, i + 1, left_[k].yy);
     }
-    (void)junction_solver_.factorise(static_cast<Eigen::Index>(2 * junctions_.size()), entries_);
+    add_pressures(rows);
+    (void)junction_solver_.factorise(static_cast<Eigen::Index>(size), entries_);
 }
 
 // In the lower half of the matrix.
@@ -240,74 +135,185 @@ void CurveSolver::add_block(std::uint32_t row, std::uint32_t column, const Block
     entries_.emplace_back(i + 1, j + 1, lower.yy);
 }
 
+// Below the junctions S y = B p and B^T y + C p = gains, symmetric for -p: the rows B^T and -C. The
+// matrix is quasidefinite, so that its factors exist in any order (Vanderbei, SIAM J. Optim. 5,
+// 1995).
+void CurveSolver::add_pressures(const PressureRows& rows) {
+    yielding_.assign(rows.gains.size(), 0.0);
+    const int first = 2 * static_cast<int>(left_.size());
+    const auto add_anchor = [&](int place, std::uint32_t anchor, const Point<double>& push) {
+        const std::uint32_t number = graph_->number(anchor);
+        if (place >= 0 && number != no_id) {
+            const int column = 2 * static_cast<int>(number);
+            entries_.emplace_back(first + place, column, push.x());
+            entries_.emplace_back(first + place, column + 1, push.y());
+            yielding_[static_cast<std::size_t>(place)] +=
+                softness * push.squaredNorm() / (left_[number].xx + left_[number].yy);
+        }
+    };
+    for (std::size_t c = 0; c < graph_->curves().size() && !rows.gains.empty(); ++c) {
+        const NetworkCurve& curve = graph_->curves()[c];
+        const CurvePush& push = rows.pushes[c];
+        if (push.left == push.right) {
+            continue;
+        }
+        for (const int place : {push.left, push.right}) {
+            const double sign = place == push.left ? 1 : -1;
+            add_anchor(place, curve.from, sign * push.at_from);
+            add_anchor(place, curve.to, sign * push.at_to);
+            if (place >= 0) {
+                yielding_[static_cast<std::size_t>(place)] += (1 + softness) * rests_[c].yielding;
+            }
+        }
+        if (push.left >= 0 && push.right >= 0) {
+            entries_.emplace_back(first + std::max(push.left, push.right),
+                                  first + std::min(push.left, push.right), rests_[c].yielding);
+        }
+    }
+    for (std::size_t k = 0; k < yielding_.size(); ++k) {
+        const int i = first + static_cast<int>(k);
+        entries_.emplace_back(i, i, yielding_[k] > 0 ? -yielding_[k] : -1.0);
+    }
+}
+
 // --- solution ------------------------------------------------------------------------------------
 
 void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
-    for (const Curve& curve : curves_of(share)) {
+    for (const std::size_t c : graph_->curves_of(share)) {
+        const NetworkCurve& curve = graph_->curves()[c];
         Point<double> before(0, 0); // the column before, by the inverse there
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
-            const Place& place = places_[k];
-            Point<double>& own = columns[place.vertex];
+            const Factor& factor = factors_[k];
+            Point<double>& own = columns[graph_->places()[k].vertex];
             if (k != curve.begin) {
-                own -= place.to_before.of(before);
+                own -= factor.to_before.of(before);
             }
-            before = place.inverse.of(own);
-            to_from_[k] = place.to_first.transposed().of(before);
+            before = factor.inverse.of(own);
+            to_from_[k] = factor.to_first.transposed().of(before);
         }
         if (curve.is_loop) {
-            gather(curve, columns);
-            columns[curve.from] = curve.cut_inverse.of(columns[curve.from]);
+            gather(c, columns);
+            columns[curve.from] = rests_[c].cut_inverse.of(columns[curve.from]);
+        }
+    }
+}
+
+void CurveSolver::reduce(std::size_t share, std::span<const Point<double>> columns,
+                         const PressureRows& rows) {
+    for (const std::size_t c : graph_->curves_of(share)) {
+        const NetworkCurve& curve = graph_->curves()[c];
+        CurvePush& push = rows.pushes[c];
+        Remainder& rest = rests_[c];
+        rest.yielding = 0;
+        rest.gained = 0;
+        if (push.left == push.right || curve.begin == curve.end) {
+            continue;
+        }
+        Point<double> before(0, 0);
+        for (std::size_t k = curve.begin; k < curve.end; ++k) {
+            const Factor& factor = factors_[k];
+            const std::uint32_t v = graph_->places()[k].vertex;
+            Point<double>& own = rows.columns[v];
+            if (k != curve.begin) {
+                own -= factor.to_before.of(before);
+            }
+            before = factor.inverse.of(own);
+            push.at_from -= factor.to_first.transposed().of(before);
+            rest.yielding += own.dot(before);
+            rest.gained += columns[v].dot(before);
+        }
+        push.at_to -= rest.to_last.transposed().of(before);
+        if (curve.is_loop) {
+            const Point<double> own = rows.columns[curve.from] + push.at_from + push.at_to;
+            rows.columns[curve.from] = rest.cut_inverse.of(own);
+            rest.yielding += own.dot(rows.columns[curve.from]);
+            rest.gained += own.dot(columns[curve.from]);
         }
     }
 }
 
 // The forward substitution at the anchors of a curve.
-void CurveSolver::gather(const Curve& curve, std::span<Point<double>> columns) const {
-    for (std::size_t k = curve.begin; k < curve.end; ++k) {
-        columns[curve.from] -= to_from_[k];
+void CurveSolver::gather(std::size_t curve, std::span<Point<double>> columns) const {
+    const NetworkCurve& of = graph_->curves()[curve];
+    if (of.begin == of.end) {
+        return;
     }
-    const Place& last = places_[curve.end - 1];
-    columns[curve.to] -= curve.to_last.transposed().of(last.inverse.of(columns[last.vertex]));
+    for (std::size_t k = of.begin; k < of.end; ++k) {
+        columns[of.from] -= to_from_[k];
+    }
+    const Point<double>& last = columns[graph_->places()[of.end - 1].vertex];
+    columns[of.to] -= rests_[curve].to_last.transposed().of(factors_[of.end - 1].inverse.of(last));
 }
 
-void CurveSolver::finish(std::span<Point<double>> columns) {
-    for (const Curve& curve : between_junctions()) {
-        gather(curve, columns);
+void CurveSolver::finish(std::span<Point<double>> columns, const InShares& in_shares,
+                         const PressureRows& rows) {
+    for (std::size_t c = 0; c < graph_->between_junctions().size(); ++c) {
+        gather(c, columns);
     }
-    solve_junctions(columns);
-    for_each_share([&](std::size_t share) {
-        for (const Curve& curve : curves_of(share)) {
-            Point<double> after = curve.to_last.of(columns[curve.to]);
+    solve_junctions(columns, rows);
+    const auto pressure = [&](int place) {
+        return place < 0 ? 0.0 : rows.pressures[static_cast<std::size_t>(place)];
+    };
+    graph_->for_each_share(in_shares, [&](std::size_t share) {
+        for (const std::size_t c : graph_->curves_of(share)) {
+            const NetworkCurve& curve = graph_->curves()[c];
+            double push = 0;
+            if (!rows.gains.empty() && rows.pushes[c].left != rows.pushes[c].right) {
+                push = pressure(rows.pushes[c].left) - pressure(rows.pushes[c].right);
+            }
+            const auto add_push = [&](std::uint32_t v) {
+                if (push != 0) {
+                    columns[v] += push * rows.columns[v];
+                }
+            };
+            if (curve.is_loop) {
+                add_push(curve.from);
+            }
+            Point<double> after = rests_[c].to_last.of(columns[curve.to]);
             for (std::size_t k = curve.end; k > curve.begin; --k) {
-                const Place& place = places_[k - 1];
-                Point<double>& own = columns[place.vertex];
-                own = place.inverse.of(own - after - place.to_first.of(columns[curve.from]));
-                after = place.to_before.transposed().of(own);
+                const Factor& factor = factors_[k - 1];
+                const std::uint32_t v = graph_->places()[k - 1].vertex;
+                add_push(v);
+                Point<double>& own = columns[v];
+                own = factor.inverse.of(own - after - factor.to_first.of(columns[curve.from]));
+                after = factor.to_before.transposed().of(own);
             }
         }
     });
 }
 
-void CurveSolver::solve(std::span<Point<double>> columns) {
-    for_each_share([&](std::size_t share) { reduce(share, columns); });
-    finish(columns);
-}
-
-void CurveSolver::solve_junctions(std::span<Point<double>> columns) const {
-    if (junctions_.empty()) {
+void CurveSolver::solve_junctions(std::span<Point<double>> columns,
+                                  const PressureRows& rows) const {
+    const std::span<const std::uint32_t> junctions = graph_->junctions().vertices;
+    const std::size_t first = 2 * junctions.size();
+    if (first + rows.gains.size() == 0) {
         return;
     }
-    Eigen::VectorXd sides(static_cast<Eigen::Index>(2 * junctions_.size()));
-    for (std::size_t k = 0; k < junctions_.size(); ++k) {
-        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) = columns[junctions_[k]];
+    Eigen::VectorXd sides(static_cast<Eigen::Index>(first + rows.gains.size()));
+    for (std::size_t k = 0; k < junctions.size(); ++k) {
+        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) = columns[junctions[k]];
+    }
+    const std::span<double> gains(sides.data() + first, rows.gains.size());
+    std::ranges::copy(rows.gains, gains.begin());
+    for (std::size_t c = 0; c < graph_->curves().size() && !gains.empty(); ++c) {
+        const auto [left, right, from, to] = rows.pushes[c];
+        if (left >= 0) {
+            gains[static_cast<std::size_t>(left)] -= rests_[c].gained;
+        }
+        if (right >= 0) {
+            gains[static_cast<std::size_t>(right)] += rests_[c].gained;
+        }
     }
     if (junction_solver_.is_solvable()) {
         sides = junction_solver_.solve(sides);
     } else {
         sides.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
-    for (std::size_t k = 0; k < junctions_.size(); ++k) {
-        columns[junctions_[k]] = sides.segment<2>(static_cast<Eigen::Index>(2 * k));
+    for (std::size_t k = 0; k < junctions.size(); ++k) {
+        columns[junctions[k]] = sides.segment<2>(static_cast<Eigen::Index>(2 * k));
+    }
+    for (std::size_t k = 0; k < rows.pressures.size(); ++k) {
+        rows.pressures[k] = -sides[static_cast<Eigen::Index>(first + k)];
     }
 }
 

@@ -4,7 +4,8 @@
 #include "dsc/geometry/points.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
 
 namespace dsc {
 
@@ -17,25 +18,49 @@ int place_in(std::span<const KeptArea> kept, Phase phase) {
                                                         : static_cast<int>(found - kept.begin());
 }
 
+/// Calls `visit(k, a, b)` for each edge from a to b of a curve, from its first anchor to its last
+/// one; the place of b is k.
+template <class Visit>
+void for_each_edge(const CurveGraph& graph, const NetworkCurve& curve, const Visit& visit) {
+    std::uint32_t before = curve.from;
+    for (std::size_t k = curve.begin; k < curve.end; ++k) {
+        const std::uint32_t v = graph.places()[k].vertex;
+        visit(k, before, v);
+        before = v;
+    }
+    visit(curve.end, before, curve.to);
+}
+
+/// The phases on the left and on the right of a curve.
+std::array<Phase, 2> phases_beside(const CurveGraph& graph, const NetworkCurve& curve) {
+    const CurveEdge& last = graph.network().edges[curve.last.edge];
+    return curve.last.is_first ? std::array{last.left, last.right}
+                               : std::array{last.right, last.left};
+}
+
 /// Those of the phases whose areas can be kept. A phase that is absent or locked has none that
 /// could change; where all phases are kept, the last one follows from the others.
-std::vector<KeptArea> changeable(const CurveNetwork& network, std::span<const KeptArea> kept) {
-    std::vector<std::uint8_t> is_there(kept.size(), 0);
-    bool are_all_kept = true;
-    const auto note = [&](Phase phase) {
-        const int place = place_in(kept, phase);
-        if (place >= 0) {
-            is_there[static_cast<std::size_t>(place)] = 1;
-        }
-        are_all_kept = are_all_kept && place >= 0;
-    };
+std::vector<KeptArea> changeable(const CurveGraph& graph, std::span<const KeptArea> kept) {
+    const CurveNetwork& network = graph.network();
     const auto can_move = [&](std::uint32_t i) {
         return network.freedom[i].xx + network.freedom[i].yy > 0;
     };
-    for (const CurveEdge& edge : network.edges) {
-        if (edge.forces.drag > 0 && (can_move(edge.from) || can_move(edge.to))) {
-            note(edge.left);
-            note(edge.right);
+    std::vector<std::uint8_t> is_there(kept.size(), 0);
+    bool are_all_kept = true;
+    for (const NetworkCurve& curve : graph.curves()) {
+        bool moves = false;
+        for_each_edge(graph, curve, [&](std::size_t, std::uint32_t a, std::uint32_t b) {
+            moves = moves || can_move(a) || can_move(b);
+        });
+        if (!moves || !(network.edges[curve.last.edge].forces.drag > 0)) {
+            continue;
+        }
+        for (const Phase phase : phases_beside(graph, curve)) {
+            const int place = place_in(kept, phase);
+            if (place >= 0) {
+                is_there[static_cast<std::size_t>(place)] = 1;
+            }
+            are_all_kept = are_all_kept && place >= 0;
         }
     }
     std::vector<KeptArea> list;
@@ -50,252 +75,255 @@ std::vector<KeptArea> changeable(const CurveNetwork& network, std::span<const Ke
     return list;
 }
 
-/// Written out: the compiler warns of Eigen's own.
-double dot(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
-    return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
-}
-
-void add_to(std::span<Point<double>> sum, std::span<const Point<double>> more, double factor = 1) {
-    for (std::size_t i = 0; i < sum.size(); ++i) {
-        sum[i] += factor * more[i];
-    }
-}
-
 } // namespace
 
 // --- once for each network -----------------------------------------------------------------------
 
-void AreaKeeper::begin(const CurveNetwork& network, std::span<const KeptArea> kept) {
-    network_ = &network;
-    kept_ = changeable(network, kept);
-    pressures_ = Vector::Zero(static_cast<Eigen::Index>(kept_.size()));
-    if (!kept_.empty()) {
-        find_sides();
+void AreaKeeper::begin(const CurveGraph& graph, std::span<const KeptArea> kept) {
+    graph_ = &graph;
+    kept_.clear();
+    if (!kept.empty()) {
+        kept_ = changeable(graph, kept);
     }
-}
-
-void AreaKeeper::find_sides() {
-    const auto ordered = [](const Sides& sides) {
-        return sides.left < sides.right ? sides : Sides{sides.right, sides.left};
-    };
-    sides_.clear();
-    pairs_.clear();
-    for (const CurveEdge& edge : network_->edges) {
-        sides_.push_back({place_in(kept_, edge.left), place_in(kept_, edge.right)});
-        if (pairs_.empty() || pairs_.back() != ordered(sides_.back())) { // along a curve they stay
-            pairs_.push_back(ordered(sides_.back()));
-        }
+    if (kept_.empty()) {
+        return;
     }
-    std::ranges::sort(pairs_);
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-    pair_of_.clear();
-    curve_of_.assign(network_->positions.size(), no_id);
+    const std::size_t curves = graph.curves().size();
+    pushes_.resize(curves);
+    strands_.resize(curves);
     arms_.clear();
-    for (std::uint32_t e = 0; e < sides_.size(); ++e) {
-        const auto place = std::ranges::lower_bound(pairs_, ordered(sides_[e])) - pairs_.begin();
-        pair_of_.push_back(static_cast<std::uint32_t>(place));
-        for (const std::uint32_t v : {network_->edges[e].from, network_->edges[e].to}) {
-            if (network_->is_junction[v] != 0) {
-                arms_.emplace_back(v, e);
-            } else {
-                curve_of_[v] = e;
-            }
+    for (std::uint32_t c = 0; c < curves; ++c) {
+        const NetworkCurve& curve = graph.curves()[c];
+        const auto [left, right] = phases_beside(graph, curve);
+        pushes_[c] = {.left = place_in(kept_, left), .right = place_in(kept_, right)};
+        if (!curve.is_loop) {
+            arms_.push_back({curve.from, c, false});
+            arms_.push_back({curve.to, c, true});
         }
     }
     std::ranges::sort(arms_);
+    const std::size_t n = graph.network().positions.size();
+    columns_.resize(n);
+    drag_.resize(n);
+    places_.resize(n);
+    missing_.resize(kept_.size());
+    pressures_.resize(kept_.size());
 }
 
 // --- areas and their derivatives -----------------------------------------------------------------
 
-// Relative to a vertex, so that an offset of all costs no digits.
-void AreaKeeper::find_missing(std::span<const Point<double>> positions,
-                              std::span<const Point<double>> displacements) {
-    missing_.resize(static_cast<Eigen::Index>(kept_.size()));
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-        missing_[static_cast<Eigen::Index>(k)] = kept_[k].area;
-    }
-    const Point<double> origin = positions[0] + displacements[0];
-    const auto at = [&](std::uint32_t v) {
-        return Point<double>(positions[v] + displacements[v] - origin);
+// An edge pushes each of its ends by half of its length along the normal to its right, as far as
+// they are free to move, and each has half of its drag.
+void AreaKeeper::push(std::size_t curve, std::span<const Point<double>> places) {
+    const NetworkCurve& of = graph_->curves()[curve];
+    const CurveNetwork& network = graph_->network();
+    const double drag = network.edges[of.last.edge].forces.drag;
+    CurvePush& push = pushes_[curve];
+    Strand& strand = strands_[curve];
+    strand.yielding = 0;
+    const auto set = [&](std::uint32_t v, const Point<double>& normal, double halves) {
+        columns_[v] = network.freedom[v].of(normal);
+        drag_[v] = halves;
+        strand.yielding += halves > 0 ? columns_[v].squaredNorm() / halves : 0.0;
     };
-    for (std::size_t e = 0; e < sides_.size(); ++e) {
-        const CurveEdge& edge = network_->edges[e];
-        const double part = cross<double>(at(edge.from), at(edge.to)) / 2;
-        if (sides_[e].left >= 0) {
-            missing_[sides_[e].left] -= part;
+    Point<double> before(0, 0);
+    double half_before = 0;
+    for_each_edge(*graph_, of, [&](std::size_t k, std::uint32_t a, std::uint32_t b) {
+        const Point<double> way = places[b] - places[a];
+        const Point<double> normal = Point<double>(way.y(), -way.x()) / 2;
+        const double half = drag * normal.norm();
+        if (k == of.begin) {
+            push.at_from = normal;
+            strand.half_at_from = half;
+        } else {
+            set(a, before + normal, half_before + half);
         }
-        if (sides_[e].right >= 0) {
-            missing_[sides_[e].right] += part;
+        before = normal;
+        half_before = half;
+    });
+    push.at_to = before;
+    strand.half_at_to = half_before;
+    if (of.is_loop) {
+        set(of.from, push.at_from + push.at_to, strand.half_at_from + strand.half_at_to);
+        push.at_from = push.at_to = Point<double>(0, 0);
+    } else {
+        push.at_from = network.freedom[of.from].of(push.at_from);
+        push.at_to = network.freedom[of.to].of(push.at_to);
+    }
+}
+
+// Relative to a vertex, so that an offset of all costs no digits.
+double AreaKeeper::area_of(std::size_t curve, std::span<const Point<double>> places) const {
+    double doubled = 0;
+    for_each_edge(*graph_, graph_->curves()[curve],
+                  [&](std::size_t, std::uint32_t a, std::uint32_t b) {
+                      doubled += cross<double>(places[a] - places[0], places[b] - places[0]);
+                  });
+    return doubled / 2;
+}
+
+void AreaKeeper::find_missing() {
+    std::ranges::transform(kept_, missing_.begin(), &KeptArea::area);
+    for (std::size_t c = 0; c < strands_.size(); ++c) {
+        if (pushes_[c].left >= 0) {
+            missing_[static_cast<std::size_t>(pushes_[c].left)] -= strands_[c].area;
+        }
+        if (pushes_[c].right >= 0) {
+            missing_[static_cast<std::size_t>(pushes_[c].right)] += strands_[c].area;
         }
     }
 }
 
-// What pressures do without tension: vertices move along the gradients of the areas, as far as they
-// are free to, and the less the more drag they have. False if the pressures cannot be found.
-bool AreaKeeper::prepare(std::span<const Point<double>> positions,
-                         std::span<const Point<double>> displacements) {
-    moves_.resize(positions.size()); // first the places
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        moves_[v] = positions[v] + displacements[v];
+PressureRows AreaKeeper::rows(std::span<const Point<double>> positions, const InShares& in_shares) {
+    if (kept_.empty()) {
+        return {};
     }
-    lump_drag(*network_, moves_, drag_);
-    normals_.resize(sides_.size());
-    across_.assign(positions.size(), Point<double>(0, 0));
-    for (std::size_t e = 0; e < sides_.size(); ++e) {
-        const CurveEdge& edge = network_->edges[e];
-        const Point<double> way = moves_[edge.to] - moves_[edge.from];
-        normals_[e] = Point<double>(way.y(), -way.x()) / 2;
-        for (const std::uint32_t v : {edge.from, edge.to}) {
-            if (network_->is_junction[v] == 0) {
-                const bool is_turned = sides_[curve_of_[v]] != sides_[e];
-                across_[v] += is_turned ? Point<double>(-normals_[e]) : normals_[e];
+    graph_->for_each_share(in_shares, [&](std::size_t share) {
+        for (const std::size_t c : graph_->curves_of(share)) {
+            push(c, positions);
+            strands_[c].area = area_of(c, positions);
+        }
+    });
+    find_missing();
+    return {.pushes = pushes_, .columns = columns_, .gains = missing_, .pressures = pressures_};
+}
+
+bool AreaKeeper::look(std::span<const Point<double>> positions,
+                      std::span<const Point<double>> displacements, const InShares& in_shares) {
+    if (kept_.empty()) {
+        return true;
+    }
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        places_[v] = positions[v] + displacements[v];
+    }
+    graph_->for_each_share(in_shares, [&](std::size_t share) {
+        for (const std::size_t c : graph_->curves_of(share)) {
+            push(c, places_);
+            strands_[c].area = area_of(c, places_);
+            strands_[c].second = 0;
+            for_each_edge(
+                *graph_, graph_->curves()[c], [&](std::size_t, std::uint32_t a, std::uint32_t b) {
+                    strands_[c].second += std::abs(cross(displacements[a], displacements[b])) / 2;
+                });
+        }
+    });
+    find_missing();
+    constexpr double rounding = 1e-6;
+    pressures_.assign(kept_.size(), 0.0); // first what may be missing
+    for (std::size_t c = 0; c < strands_.size(); ++c) {
+        for (const int place : {pushes_[c].left, pushes_[c].right}) {
+            if (place >= 0) {
+                pressures_[static_cast<std::size_t>(place)] += strands_[c].second;
             }
         }
     }
-    sums_.assign(pairs_.size(), 0.0);
-    for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        if (curve_of_[v] != no_id && drag_[v] > 0) {
-            sums_[pair_of_[curve_of_[v]]] +=
-                across_[v].dot(network_->freedom[v].of(across_[v])) / drag_[v];
-        }
+    bool holds = true;
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        holds = holds && std::abs(missing_[k]) <= pressures_[k] + rounding * kept_[k].area;
     }
+    return holds;
+}
+
+// --- what is left over ---------------------------------------------------------------------------
+
+// What pressures do without tension: vertices move along the gradients of the areas, as far as they
+// are free to, and the less the more drag they have. Curves that meet at a junction move it
+// together. False if the pressures cannot be found.
+bool AreaKeeper::prepare() {
     entries_.clear();
-    for (std::size_t k = 0; k < pairs_.size(); ++k) {
-        const auto [low, high] = pairs_[k];
-        if (low >= 0) {
-            entries_.emplace_back(low, low, sums_[k]);
-            entries_.emplace_back(high, low, -sums_[k]);
+    const auto add = [&](int row, int column, double value) {
+        if (row >= column && column >= 0) { // the solver reads the lower half
+            entries_.emplace_back(row, column, value);
         }
-        if (high >= 0) {
-            entries_.emplace_back(high, high, sums_[k]);
-        }
+    };
+    const auto add_pair = [&](const CurvePush& one, const CurvePush& other, double value) {
+        add(one.left, other.left, value);
+        add(one.left, other.right, -value);
+        add(one.right, other.left, -value);
+        add(one.right, other.right, value);
+    };
+    for (std::size_t c = 0; c < strands_.size(); ++c) {
+        add_pair(pushes_[c], pushes_[c], strands_[c].yielding);
     }
-    add_junctions();
+    for_each_junction([&](std::span<const Arm> arms, double drag) {
+        for (const Arm& one : arms) {
+            for (const Arm& other : arms) {
+                add_pair(pushes_[one.curve], pushes_[other.curve],
+                         push_of(one).dot(push_of(other)) / drag);
+            }
+        }
+    });
     return solver_.factorise(static_cast<Eigen::Index>(kept_.size()), entries_);
 }
 
-// Where the edges of a vertex lie between different phases, each is paired with each.
-void AreaKeeper::add_junctions() {
-    for (std::size_t i = 0; i < arms_.size(); ++i) {
-        const auto [v, e] = arms_[i];
-        if (!(drag_[v] > 0)) {
-            continue;
+template <class Visit>
+void AreaKeeper::for_each_junction(const Visit& visit) const {
+    const auto same = [](const Arm& one, const Arm& other) {
+        return one.junction == other.junction;
+    };
+    for (auto first = arms_.begin(); first != arms_.end();) {
+        double drag = 0;
+        auto last = first;
+        for (; last != arms_.end() && same(*first, *last); ++last) {
+            const Strand& strand = strands_[last->curve];
+            drag += last->is_last ? strand.half_at_to : strand.half_at_from;
         }
-        const Point<double> move = network_->freedom[v].of(normals_[e]) / drag_[v];
-        const auto add = [&](int row, int column, double value) {
-            if (row >= column && column >= 0) { // the solver reads the lower half
-                entries_.emplace_back(row, column, value);
-            }
-        };
-        std::size_t k = i;
-        while (k > 0 && arms_[k - 1].first == v) {
-            --k;
+        if (drag > 0) {
+            visit(std::span<const Arm>(first, last), drag);
         }
-        for (; k < arms_.size() && arms_[k].first == v; ++k) {
-            const std::uint32_t f = arms_[k].second;
-            const double value = normals_[f].dot(move);
-            add(sides_[f].left, sides_[e].left, value);
-            add(sides_[f].left, sides_[e].right, -value);
-            add(sides_[f].right, sides_[e].left, -value);
-            add(sides_[f].right, sides_[e].right, value);
-        }
+        first = last;
     }
 }
 
-// The forces of pressures on the vertices.
-void AreaKeeper::push(const Vector& pressures, std::span<Point<double>> forces) const {
-    std::ranges::fill(forces, Point<double>(0, 0));
-    const auto in = [&](int place) { return place >= 0 ? pressures[place] : 0.0; };
-    for (std::size_t e = 0; e < sides_.size(); ++e) {
-        const Point<double> force = (in(sides_[e].left) - in(sides_[e].right)) * normals_[e];
-        forces[network_->edges[e].from] += force;
-        forces[network_->edges[e].to] += force;
-    }
+const Point<double>& AreaKeeper::push_of(const Arm& arm) const {
+    return arm.is_last ? pushes_[arm.curve].at_to : pushes_[arm.curve].at_from;
 }
 
-// By how much the areas grow, to first order.
-AreaKeeper::Vector AreaKeeper::gained_by(std::span<const Point<double>> displacements) const {
-    Vector gain = Vector::Zero(static_cast<Eigen::Index>(kept_.size()));
-    for (std::size_t e = 0; e < sides_.size(); ++e) {
-        const CurveEdge& edge = network_->edges[e];
-        const double part = normals_[e].dot(displacements[edge.from] + displacements[edge.to]);
-        if (sides_[e].left >= 0) {
-            gain[sides_[e].left] += part;
-        }
-        if (sides_[e].right >= 0) {
-            gain[sides_[e].right] -= part;
-        }
-    }
-    return gain;
+double AreaKeeper::pressure_on(std::size_t curve) const {
+    const auto at = [&](int place) {
+        return place >= 0 ? pressures_[static_cast<std::size_t>(place)] : 0.0;
+    };
+    return at(pushes_[curve].left) - at(pushes_[curve].right);
 }
 
-// --- pressures -----------------------------------------------------------------------------------
-
-// Pressures during a step of the system that give the areas what is missing: conjugate gradients,
-// preconditioned by what pressures do without tension, and from those of the step before.
-void AreaKeeper::press(CurveSystem& system, std::span<Point<double>> displacements) {
-    constexpr int most_rounds = 30;
-    constexpr double tolerance = 1e-8; // what remains is left to a shift
-    const double all = dot(missing_, missing_);
-    const double enough = tolerance * tolerance * all;
-    total_.assign(displacements.size(), Point<double>(0, 0));
-    Vector left = missing_;
-    if (dot(pressures_, pressures_) > 0) {
-        push(pressures_, total_);
-        system.respond(total_);
-        left -= gained_by(total_);
-    }
-    Vector preconditioned = solver_.solve(left);
-    Vector direction = preconditioned;
-    double size = dot(left, preconditioned);
-    for (int round = 0; round < most_rounds && dot(left, left) > enough; ++round) {
-        push(direction, moves_);
-        system.respond(moves_);
-        const Vector gain = gained_by(moves_);
-        const double slope = dot(direction, gain);
-        if (!(slope > 0)) {
-            break;
-        }
-        add_to(total_, moves_, size / slope);
-        pressures_ += (size / slope) * direction;
-        left -= (size / slope) * gain;
-        preconditioned = solver_.solve(left);
-        const double next = dot(left, preconditioned);
-        direction = preconditioned + (next / size) * direction;
-        size = next;
-    }
-    // Rounding errors alone would be left over by targets that contradict each other.
-    if (dot(left, left) <= all) {
-        add_to(displacements, total_);
-    } else {
-        pressures_.setZero();
-    }
-}
-
-// Without tension, by the shortest way.
-void AreaKeeper::shift(std::span<Point<double>> displacements) {
-    push(solver_.solve(missing_), moves_);
-    for (std::size_t i = 0; i < moves_.size(); ++i) {
-        if (drag_[i] > 0) {
-            displacements[i] += network_->freedom[i].of(moves_[i]) / drag_[i];
-        }
-    }
-}
-
-void AreaKeeper::keep(std::span<const Point<double>> positions,
-                      std::span<Point<double>> displacements, CurveSystem* system) {
+void AreaKeeper::shift(std::span<Point<double>> displacements, const InShares& in_shares) {
     // Area is quadratic in the displacement: a shift leaves about its square.
     constexpr int shifts = 3;
-    if (kept_.empty() || !prepare(positions, displacements)) {
+    if (kept_.empty() || !prepare()) {
         return;
     }
-    if (system != nullptr) {
-        find_missing(positions, displacements);
-        press(*system, displacements);
-    }
+    const auto move = [&](std::uint32_t v, const Point<double>& push, double drag) {
+        if (drag > 0) {
+            displacements[v] += push / drag;
+            places_[v] += push / drag;
+        }
+    };
+    const auto shift_curve = [&](std::size_t c) {
+        const NetworkCurve& curve = graph_->curves()[c];
+        const double pressure = pressure_on(c);
+        for (std::size_t k = curve.begin; k < curve.end; ++k) {
+            const std::uint32_t v = graph_->places()[k].vertex;
+            move(v, pressure * columns_[v], drag_[v]);
+        }
+        if (curve.is_loop) {
+            move(curve.from, pressure * columns_[curve.from], drag_[curve.from]);
+        }
+    };
     for (int done = 0; done < shifts; ++done) {
-        find_missing(positions, displacements);
-        shift(displacements);
+        Eigen::Map<Eigen::VectorXd>(pressures_.data(), std::ssize(pressures_)) =
+            solver_.solve(Eigen::Map<const Eigen::VectorXd>(missing_.data(), std::ssize(missing_)));
+        for_each_junction([&](std::span<const Arm> arms, double drag) {
+            for (const Arm& arm : arms) {
+                move(arm.junction, pressure_on(arm.curve) * push_of(arm), drag);
+            }
+        });
+        graph_->for_each_share(in_shares, [&](std::size_t share) {
+            for (const std::size_t c : graph_->curves_of(share)) {
+                shift_curve(c);
+                strands_[c].area = area_of(c, places_);
+            }
+        });
+        find_missing();
     }
 }
 

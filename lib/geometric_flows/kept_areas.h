@@ -8,67 +8,69 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace dsc {
 
-/// The pressures in the phases of one network after the other that give them their areas. Reuses
-/// its memory.
+/// The pressures in the phases of one network after the other that give them their areas: one
+/// pressure for each phase moves all of its curves along their normals. Reuses its memory.
 class AreaKeeper {
 public:
     /// Takes up a network, which must live as long as areas in it are kept. `kept` is sorted by
-    /// phase. O(edges log phases).
-    void begin(const CurveNetwork& network, std::span<const KeptArea> kept);
+    /// phase. O(vertices and edges, curves log phases).
+    void begin(const CurveGraph& graph, std::span<const KeptArea> kept);
 
-    /// Adds to the displacements from `positions` what gives each phase its area: one pressure for
-    /// each phase moves all of its curves along their normals. With `system`, whose last step gave
-    /// these displacements, the pressures act during that step; null: what is missing is small, and
-    /// vertices move by the shortest way. O(edges), and some solves of the system: their number
-    /// hardly depends on the number of phases, and is smaller where the pressures of the step
-    /// before, in the same network, are nearly right.
-    void keep(std::span<const Point<double>> positions, std::span<Point<double>> displacements,
-              CurveSystem* system);
+    /// What pressures do during a step from these positions; empty where no area is to be kept.
+    /// O(edges).
+    PressureRows rows(std::span<const Point<double>> positions, const InShares& in_shares);
+    /// Looks at where displacements lead. Whether pressures have held the areas to first order:
+    /// what is missing is of second order in the displacements. It is not where areas contradict
+    /// each other. O(edges).
+    bool look(std::span<const Point<double>> positions,
+              std::span<const Point<double>> displacements, const InShares& in_shares);
+    /// Adds to the displacements that were looked at last what gives each phase its area to
+    /// rounding. Little has to be missing: vertices move by the shortest way, without tension.
+    /// O(edges), and a sparse factorisation for the phases.
+    void shift(std::span<Point<double>> displacements, const InShares& in_shares);
 
 private:
-    using Vector = Eigen::VectorXd;
-    /// Places of two phases in the list of those that are kept, or -1.
-    struct Sides {
-        int left = -1;
-        int right = -1;
-        friend auto operator<=>(const Sides&, const Sides&) = default;
+    /// A junction, and one end of one of its curves.
+    struct Arm {
+        std::uint32_t junction;
+        std::uint32_t curve;
+        bool is_last; ///< the last anchor of the curve
+        friend auto operator<=>(const Arm&, const Arm&) = default;
+    };
+    /// What is known of a curve.
+    struct Strand {
+        double area = 0;         ///< that it adds on its left, and takes on its right
+        double second = 0;       ///< at most, of what displacements added of second order
+        double yielding = 0;     ///< what it gains for a unit of pressure, without tension
+        double half_at_from = 0; ///< of the drag of its first edge
+        double half_at_to = 0;   ///< of its last one
     };
 
-    void find_sides();
-    void find_missing(std::span<const Point<double>> positions,
-                      std::span<const Point<double>> displacements);
-    bool prepare(std::span<const Point<double>> positions,
-                 std::span<const Point<double>> displacements);
-    void add_junctions();
-    void push(const Vector& pressures, std::span<Point<double>> forces) const;
-    [[nodiscard]] Vector gained_by(std::span<const Point<double>> displacements) const;
-    void press(CurveSystem& system, std::span<Point<double>> displacements);
-    void shift(std::span<Point<double>> displacements);
+    void push(std::size_t curve, std::span<const Point<double>> places);
+    [[nodiscard]] double area_of(std::size_t curve, std::span<const Point<double>> places) const;
+    void find_missing();
+    [[nodiscard]] bool prepare();
+    template <class Visit>
+    void for_each_junction(const Visit& visit) const;
+    [[nodiscard]] const Point<double>& push_of(const Arm& arm) const;
+    [[nodiscard]] double pressure_on(std::size_t curve) const;
 
-    const CurveNetwork* network_ = nullptr;
-    std::vector<KeptArea> kept_;          ///< those that can be, by phase
-    std::vector<Sides> sides_;            ///< by edge
-    std::vector<Sides> pairs_;            ///< of all edges, each once, the smaller place first
-    std::vector<std::uint32_t> pair_of_;  ///< by edge: its place in `pairs_`
-    std::vector<std::uint32_t> curve_of_; ///< by vertex of a curve: one of its edges
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> arms_; ///< junctions with their edges
-
-    std::vector<Point<double>>
-        normals_; ///< by edge: half of its length along the normal to its right
-    std::vector<Point<double>> across_; ///< by vertex of a curve: the sum of those of its edges
-    std::vector<double> drag_;          ///< by vertex
-    std::vector<double> sums_;          ///< by pair
+    const CurveGraph* graph_ = nullptr;
+    std::vector<KeptArea> kept_;         ///< those that can be, by phase
+    std::vector<Arm> arms_;              ///< sorted
+    std::vector<CurvePush> pushes_;      ///< by curve
+    std::vector<Strand> strands_;        ///< by curve
+    std::vector<Point<double>> columns_; ///< by vertex: the push, but at junctions
+    std::vector<double> drag_;           ///< by vertex: half of that of its edges
+    std::vector<Point<double>> places_;  ///< by vertex
+    std::vector<double> missing_;        ///< what each area lacks
+    std::vector<double> pressures_;
     std::vector<Eigen::Triplet<double>> entries_;
-    std::vector<Point<double>> moves_; ///< by vertex
-    std::vector<Point<double>> total_; ///< by vertex
-    SparseSolver solver_;              ///< from areas to pressures, without tension
-    Vector pressures_;                 ///< of the last step
-    Vector missing_;                   ///< what each area lacks
+    SparseSolver solver_; ///< from areas to pressures, without tension
 };
 
 } // namespace dsc

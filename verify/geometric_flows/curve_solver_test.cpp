@@ -88,14 +88,68 @@ std::vector<Column> product(const CurveNetwork& network, const std::vector<Block
     return sum;
 }
 
-void factorise(CurveSolver& solver, const std::vector<Block>& diagonal,
-               const std::vector<Block>& coupling) {
-    solver.for_each_share([&](std::size_t share) { solver.eliminate(share, diagonal, coupling); });
-    solver.factorise_junctions(diagonal, coupling);
+void solve(CurveSolver& solver, const CurveGraph& graph, const std::vector<Block>& diagonal,
+           const std::vector<Block>& coupling, std::vector<Column>& columns,
+           const InShares& in_shares = one_by_one, const PressureRows& rows = {}) {
+    graph.for_each_share(in_shares, [&](std::size_t share) {
+        solver.eliminate(share, diagonal, coupling);
+        solver.reduce(share, columns);
+        if (!rows.gains.empty()) {
+            solver.reduce(share, columns, rows);
+        }
+    });
+    solver.factorise_junctions(diagonal, rows);
+    solver.finish(columns, in_shares, rows);
 }
 
+// Pressures that push every vertex somewhere.
+struct Pushes {
+    std::vector<CurvePush> of_curves;
+    std::vector<Column> columns;
+
+    Pushes(const CurveGraph& graph, int pressures, std::mt19937& lot)
+        : columns(graph.network().positions.size(), Column(0, 0)) {
+        std::uniform_real_distribution<double> number(-1, 1);
+        std::uniform_int_distribution<int> place(-1, pressures - 1);
+        for (const NetworkCurve& curve : graph.curves()) {
+            of_curves.push_back({.left = place(lot), .right = place(lot)});
+            const auto any = [&] { return Column(number(lot), number(lot)); };
+            for (std::size_t k = curve.begin; k < curve.end; ++k) {
+                columns[graph.places()[k].vertex] = any();
+            }
+            if (curve.is_loop) {
+                columns[curve.from] = any();
+            } else {
+                of_curves.back().at_from = any();
+                of_curves.back().at_to = any();
+            }
+        }
+    }
+    // Calls `visit(pressure, sign, vertex, push)` for all that pressures push.
+    template <class Visit>
+    void for_each(const CurveGraph& graph, const Visit& visit) const {
+        for (std::size_t c = 0; c < of_curves.size(); ++c) {
+            const NetworkCurve& curve = graph.curves()[c];
+            for (const auto& [place, sign] :
+                 {std::pair(of_curves[c].left, 1.0), std::pair(of_curves[c].right, -1.0)}) {
+                for (std::size_t k = curve.begin; k < curve.end && place >= 0; ++k) {
+                    const std::uint32_t v = graph.places()[k].vertex;
+                    visit(static_cast<std::size_t>(place), sign, v, columns[v]);
+                }
+                if (place >= 0 && curve.is_loop) {
+                    visit(static_cast<std::size_t>(place), sign, curve.from, columns[curve.from]);
+                } else if (place >= 0) {
+                    visit(static_cast<std::size_t>(place), sign, curve.from, of_curves[c].at_from);
+                    visit(static_cast<std::size_t>(place), sign, curve.to, of_curves[c].at_to);
+                }
+            }
+        }
+    }
+};
+
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
-    CurveSolver solver; // of one network after the other
+    CurveGraph graph; // of one network after the other
+    CurveSolver solver;
     for (unsigned seed = 0; seed < 300; ++seed) {
         const CurveNetwork network = draw(seed);
         const std::size_t n = network.positions.size();
@@ -113,19 +167,43 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             diagonal[edge.to] += b * b.transposed();
             coupling.emplace_back(a * b.transposed());
         }
-        solver.begin(network, one_by_one);
+        graph.begin(network);
+        solver.begin(graph);
         for (int round = 0; round < 2; ++round) { // the second one has what the first has left
-            factorise(solver, diagonal, coupling);
             std::vector<Column> columns;
             for (std::size_t v = 0; v < n; ++v) {
                 columns.emplace_back(number(lot), number(lot));
             }
             const std::vector<Column> wanted = columns;
-            solver.solve(columns);
+            solve(solver, graph, diagonal, coupling, columns);
             const std::vector<Column> found = product(network, diagonal, coupling, columns);
             for (std::uint32_t v = 0; v < n; ++v) {
                 EXPECT_LT((found[v] - wanted[v]).norm(), 1e-10)
                     << "seed " << seed << ", vertex " << v << " of " << n;
+            }
+            // What three pressures do, found from the areas that they give.
+            Pushes pushes(graph, 3, lot);
+            const std::array<double, 3> given{number(lot), number(lot), number(lot)};
+            std::vector<Column> pushed = wanted;
+            pushes.for_each(graph,
+                            [&](std::size_t place, double sign, std::uint32_t v,
+                                const Column& push) { pushed[v] += sign * given[place] * push; });
+            solve(solver, graph, diagonal, coupling, pushed);
+            std::array<double, 3> gains{};
+            pushes.for_each(
+                graph, [&](std::size_t place, double sign, std::uint32_t v, const Column& push) {
+                    gains[place] += sign * push.dot(pushed[v]);
+                });
+            std::array<double, 3> pressures{};
+            columns = wanted;
+            solve(solver, graph, diagonal, coupling, columns, one_by_one,
+                  {.pushes = pushes.of_curves,
+                   .columns = pushes.columns,
+                   .gains = gains,
+                   .pressures = pressures});
+            for (std::uint32_t v = 0; v < n; ++v) {
+                EXPECT_LT((columns[v] - pushed[v]).norm(), 1e-4 * (1 + pushed[v].norm()))
+                    << "seed " << seed << ", vertex " << v << " of " << n << " under pressure";
             }
         }
     }
@@ -140,11 +218,12 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
     std::vector<Block> diagonal(8, Block{3, 0, 0, 3});
     const std::vector<Block> coupling(8, Block{-1, 0, 0, -1});
     diagonal[5] = {};
+    CurveGraph graph;
+    graph.begin(made.network);
     CurveSolver solver;
-    solver.begin(made.network, one_by_one);
-    factorise(solver, diagonal, coupling);
+    solver.begin(graph);
     std::vector<Column> columns(8, Column(1, 1));
-    solver.solve(columns);
+    solve(solver, graph, diagonal, coupling, columns);
     for (std::size_t v = 0; v < 4; ++v) {
         EXPECT_NEAR(columns[v].x(), 1, 1e-12);
         EXPECT_TRUE(std::isnan(columns[v + 4].x()));
@@ -184,10 +263,11 @@ TEST(CurveSolver, IsTheSameToTheBitInAnyOrderOfShares) {
     };
     std::array<std::vector<Column>, 2> solved{given, given};
     for (std::size_t i = 0; i < 2; ++i) {
+        CurveGraph graph;
+        graph.begin(made.network);
         CurveSolver solver;
-        solver.begin(made.network, i == 0 ? one_by_one : backwards);
-        factorise(solver, diagonal, coupling);
-        solver.solve(solved[i]);
+        solver.begin(graph);
+        solve(solver, graph, diagonal, coupling, solved[i], i == 0 ? one_by_one : backwards);
         EXPECT_TRUE(solved[i].front().allFinite());
     }
     EXPECT_GT(most_shares, 2U);
