@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -41,11 +40,13 @@ public:
 };
 
 // Curves between junctions, side by side, back to where they began and without a vertex between;
-// closed ones down to two vertices; and a vertex without edges.
+// closed ones down to two vertices; and a vertex without edges. In some networks the curves are so
+// long that there are several shares.
 CurveNetwork draw(unsigned seed) {
     Network made;
     made.lot.seed(seed);
     const auto below = [&](int n) { return std::uniform_int_distribution(0, n - 1)(made.lot); };
+    const int stretch = seed % 10 == 0 ? 200 : 1;
     std::vector<std::uint32_t> junctions;
     for (int i = below(5); i > 0; --i) {
         junctions.push_back(made.vertex(true));
@@ -57,11 +58,11 @@ CurveNetwork draw(unsigned seed) {
         };
         const std::uint32_t from = any();
         const std::uint32_t to = any();
-        made.curve(from, to, from == to ? 2 + below(5) : below(6));
+        made.curve(from, to, stretch * (from == to ? 2 + below(5) : below(6)));
     }
     for (int i = below(3); i > 0; --i) {
         const std::uint32_t start = made.vertex(false);
-        made.curve(start, start, 1 + below(6));
+        made.curve(start, start, stretch * (1 + below(6)));
     }
     if (below(3) == 0) {
         (void)made.vertex(true);
@@ -96,6 +97,13 @@ void factorise(CurveSolver& solver, const std::vector<Block>& diagonal,
 
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
     CurveSolver solver; // of one network after the other
+    std::size_t most_shares = 0;
+    const InShares backwards = [&](std::size_t shares, const auto& task) {
+        most_shares = std::max(most_shares, shares);
+        for (std::size_t share = shares; share > 0; --share) {
+            task(share - 1);
+        }
+    };
     for (unsigned seed = 0; seed < 300; ++seed) {
         const CurveNetwork network = draw(seed);
         const std::size_t n = network.positions.size();
@@ -113,7 +121,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             diagonal[edge.to] += b * b.transposed();
             coupling.emplace_back(a * b.transposed());
         }
-        solver.begin(network, one_by_one);
+        solver.begin(network, backwards);
         for (int round = 0; round < 2; ++round) { // the second one has what the first has left
             factorise(solver, diagonal, coupling);
             std::vector<Column> columns;
@@ -129,6 +137,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             }
         }
     }
+    EXPECT_GT(most_shares, 2U);
 }
 
 TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
@@ -149,49 +158,6 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
         EXPECT_NEAR(columns[v].x(), 1, 1e-12);
         EXPECT_TRUE(std::isnan(columns[v + 4].x()));
     }
-}
-
-// Long curves between a few junctions, and closed ones: enough for several shares.
-TEST(CurveSolver, IsTheSameToTheBitInAnyOrderOfShares) {
-    Network made;
-    const std::array<std::uint32_t, 3> junctions{made.vertex(true), made.vertex(true),
-                                                 made.vertex(true)};
-    for (std::size_t i = 0; i < 30; ++i) {
-        made.curve(junctions[i % 3], junctions[(i + i / 3) % 3], 60);
-        const std::uint32_t start = made.vertex(false);
-        made.curve(start, start, 20);
-    }
-    std::mt19937 lot;
-    std::uniform_real_distribution<double> number(-1, 1);
-    std::vector<Column> given;
-    for (std::size_t v = 0; v < made.network.positions.size(); ++v) {
-        given.emplace_back(number(lot), number(lot));
-    }
-    std::vector<Block> diagonal(given.size(), Block{3, 0, 0, 3});
-    for (const std::uint32_t v : junctions) {
-        diagonal[v] = {30, 0, 0, 30};
-    }
-    std::vector<Block> coupling;
-    for (std::size_t e = 0; e < made.network.edges.size(); ++e) {
-        coupling.push_back({number(lot), 0, 0, number(lot)});
-    }
-    std::size_t most_shares = 0;
-    const InShares backwards = [&](std::size_t shares, const auto& task) {
-        most_shares = shares;
-        for (std::size_t share = shares; share > 0; --share) {
-            task(share - 1);
-        }
-    };
-    std::array<std::vector<Column>, 2> solved{given, given};
-    for (std::size_t i = 0; i < 2; ++i) {
-        CurveSolver solver;
-        solver.begin(made.network, i == 0 ? one_by_one : backwards);
-        factorise(solver, diagonal, coupling);
-        solver.solve(solved[i]);
-        EXPECT_TRUE(solved[i].front().allFinite());
-    }
-    EXPECT_GT(most_shares, 2U);
-    EXPECT_EQ(solved[0], solved[1]);
 }
 
 } // namespace
