@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -60,24 +59,9 @@ Eigen::VectorXd some_vector(int size) {
     return vector;
 }
 
+// g++ 12 takes what Eigen's own sum makes of AVX-512 for uninitialised.
 double norm(const Eigen::VectorXd& vector) {
     return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
-}
-
-TEST(FluidDissection, HasEachTriangleAndEachNodeOnce) {
-    const Equations equations(0.1);
-    const FrozenMesh& mesh = equations.mesh;
-    std::vector<std::uint32_t> triangles = equations.dissection.triangles;
-    std::ranges::sort(triangles);
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0U);
-    EXPECT_EQ(triangles, all);
-    std::vector<std::uint32_t> nodes = equations.dissection.nodes;
-    std::ranges::sort(nodes);
-    all.resize(mesh.nodes.size());
-    std::iota(all.begin(), all.end(), 0U);
-    EXPECT_EQ(nodes, all);
-    EXPECT_EQ(equations.dissection.parts.back().triangle_count, mesh.triangles.size());
 }
 
 TEST(FluidFactors, SolveWhatTheyWereMadeFrom) {

@@ -38,15 +38,6 @@ double error_of_circle(double h, double step, const CurvatureFlowOptions& flow, 
     return std::sqrt(phase_area(complex, 1) / pi) / last - 1;
 }
 
-TEST(CurvatureFlow, ShrinksACircleToSecondOrderWithStepsProportionalToH) {
-    const std::array<double, 3> errors{error_of_circle(0.03, 0.25, {}, 1),
-                                       error_of_circle(0.015, 0.25, {}, 1),
-                                       error_of_circle(0.0075, 0.25, {}, 1)};
-    EXPECT_LT(std::abs(errors[1]), 2e-4);
-    EXPECT_GT(std::log2(errors[0] / errors[1]), 1.9) << errors[0] << ", " << errors[1];
-    EXPECT_GT(std::log2(errors[1] / errors[2]), 1.9) << errors[1] << ", " << errors[2];
-}
-
 TEST(CurvatureFlow, IsStableForLongSteps) {
     EXPECT_LT(std::abs(error_of_circle(0.015, 2, {}, 1)), 1e-2);
 }
@@ -130,17 +121,6 @@ TEST(CurvatureFlow, LockedVerticesStay) {
     EXPECT_EQ(complex.position(locked), before);
     EXPECT_LT(phase_area(complex, 1), area - 0.05);
     expect_sound(complex, simulation);
-}
-
-TEST(CurvatureFlow, MovesAComplexOfFloats) {
-    auto complex = disc_complex<float>(0.03, {0.5, 0.5}, 0.3);
-    const auto options = options_for<float>(0.03);
-    Simulation<float> simulation(complex, options);
-    for (int step = 0; step < 20; ++step) {
-        EXPECT_EQ(simulation.step(curvature_flow<float>(), 0, 0.001F).unreached, 0U);
-    }
-    expect_sound(complex, simulation);
-    EXPECT_NEAR(phase_area(complex, 1), pi * (0.09 - 0.04), 3e-3);
 }
 
 } // namespace

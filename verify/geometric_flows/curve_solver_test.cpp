@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -41,11 +40,13 @@ public:
 };
 
 // Curves between junctions, side by side, back to where they began and without a vertex between;
-// closed ones down to two vertices; and a vertex without edges.
+// closed ones down to two vertices; and a vertex without edges. In some networks the curves are so
+// long that there are several shares.
 CurveNetwork draw(unsigned seed) {
     Network made;
     made.lot.seed(seed);
     const auto below = [&](int n) { return std::uniform_int_distribution(0, n - 1)(made.lot); };
+    const int stretch = seed % 10 == 0 ? 200 : 1;
     std::vector<std::uint32_t> junctions;
     for (int i = below(5); i > 0; --i) {
         junctions.push_back(made.vertex(true));
@@ -57,11 +58,11 @@ CurveNetwork draw(unsigned seed) {
         };
         const std::uint32_t from = any();
         const std::uint32_t to = any();
-        made.curve(from, to, from == to ? 2 + below(5) : below(6));
+        made.curve(from, to, stretch * (from == to ? 2 + below(5) : below(6)));
     }
     for (int i = below(3); i > 0; --i) {
         const std::uint32_t start = made.vertex(false);
-        made.curve(start, start, 1 + below(6));
+        made.curve(start, start, stretch * (1 + below(6)));
     }
     if (below(3) == 0) {
         (void)made.vertex(true);
@@ -90,7 +91,7 @@ std::vector<Column> product(const CurveNetwork& network, const std::vector<Block
 
 void solve(CurveSolver& solver, const CurveGraph& graph, const std::vector<Block>& diagonal,
            const std::vector<Block>& coupling, std::vector<Column>& columns,
-           const InShares& in_shares = one_by_one, const PressureRows& rows = {}) {
+           const InShares& in_shares, const PressureRows& rows = {}) {
     graph.for_each_share(in_shares, [&](std::size_t share) {
         solver.eliminate(share, diagonal, coupling);
         solver.reduce(share, columns);
@@ -150,6 +151,13 @@ struct Pushes {
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
     CurveGraph graph; // of one network after the other
     CurveSolver solver;
+    std::size_t most_shares = 0;
+    const InShares backwards = [&](std::size_t shares, const auto& task) {
+        most_shares = std::max(most_shares, shares);
+        for (std::size_t share = shares; share > 0; --share) {
+            task(share - 1);
+        }
+    };
     for (unsigned seed = 0; seed < 300; ++seed) {
         const CurveNetwork network = draw(seed);
         const std::size_t n = network.positions.size();
@@ -175,7 +183,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
                 columns.emplace_back(number(lot), number(lot));
             }
             const std::vector<Column> wanted = columns;
-            solve(solver, graph, diagonal, coupling, columns);
+            solve(solver, graph, diagonal, coupling, columns, backwards);
             const std::vector<Column> found = product(network, diagonal, coupling, columns);
             for (std::uint32_t v = 0; v < n; ++v) {
                 EXPECT_LT((found[v] - wanted[v]).norm(), 1e-10)
@@ -188,7 +196,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             pushes.for_each(graph,
                             [&](std::size_t place, double sign, std::uint32_t v,
                                 const Column& push) { pushed[v] += sign * given[place] * push; });
-            solve(solver, graph, diagonal, coupling, pushed);
+            solve(solver, graph, diagonal, coupling, pushed, backwards);
             std::array<double, 3> gains{};
             pushes.for_each(
                 graph, [&](std::size_t place, double sign, std::uint32_t v, const Column& push) {
@@ -196,7 +204,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
                 });
             std::array<double, 3> pressures{};
             columns = wanted;
-            solve(solver, graph, diagonal, coupling, columns, one_by_one,
+            solve(solver, graph, diagonal, coupling, columns, backwards,
                   {.pushes = pushes.of_curves,
                    .columns = pushes.columns,
                    .gains = gains,
@@ -207,6 +215,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             }
         }
     }
+    EXPECT_GT(most_shares, 2U);
 }
 
 TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
@@ -223,55 +232,11 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
     CurveSolver solver;
     solver.begin(graph);
     std::vector<Column> columns(8, Column(1, 1));
-    solve(solver, graph, diagonal, coupling, columns);
+    solve(solver, graph, diagonal, coupling, columns, one_by_one);
     for (std::size_t v = 0; v < 4; ++v) {
         EXPECT_NEAR(columns[v].x(), 1, 1e-12);
         EXPECT_TRUE(std::isnan(columns[v + 4].x()));
     }
-}
-
-// Long curves between a few junctions, and closed ones: enough for several shares.
-TEST(CurveSolver, IsTheSameToTheBitInAnyOrderOfShares) {
-    Network made;
-    const std::array<std::uint32_t, 3> junctions{made.vertex(true), made.vertex(true),
-                                                 made.vertex(true)};
-    for (std::size_t i = 0; i < 30; ++i) {
-        made.curve(junctions[i % 3], junctions[(i + i / 3) % 3], 60);
-        const std::uint32_t start = made.vertex(false);
-        made.curve(start, start, 20);
-    }
-    std::mt19937 lot;
-    std::uniform_real_distribution<double> number(-1, 1);
-    std::vector<Column> given;
-    for (std::size_t v = 0; v < made.network.positions.size(); ++v) {
-        given.emplace_back(number(lot), number(lot));
-    }
-    std::vector<Block> diagonal(given.size(), Block{3, 0, 0, 3});
-    for (const std::uint32_t v : junctions) {
-        diagonal[v] = {30, 0, 0, 30};
-    }
-    std::vector<Block> coupling;
-    for (std::size_t e = 0; e < made.network.edges.size(); ++e) {
-        coupling.push_back({number(lot), 0, 0, number(lot)});
-    }
-    std::size_t most_shares = 0;
-    const InShares backwards = [&](std::size_t shares, const auto& task) {
-        most_shares = shares;
-        for (std::size_t share = shares; share > 0; --share) {
-            task(share - 1);
-        }
-    };
-    std::array<std::vector<Column>, 2> solved{given, given};
-    for (std::size_t i = 0; i < 2; ++i) {
-        CurveGraph graph;
-        graph.begin(made.network);
-        CurveSolver solver;
-        solver.begin(graph);
-        solve(solver, graph, diagonal, coupling, solved[i], i == 0 ? one_by_one : backwards);
-        EXPECT_TRUE(solved[i].front().allFinite());
-    }
-    EXPECT_GT(most_shares, 2U);
-    EXPECT_EQ(solved[0], solved[1]);
 }
 
 } // namespace

@@ -17,7 +17,6 @@ using test::grow_and_shrink;
 using test::GrowingShape;
 using test::offset_polygon;
 using test::Outline;
-using test::union_outline;
 
 const Outline square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
 const Outline angle{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.5}, {0.5, 0.5}, {0.5, 0.7}, {0.3, 0.7}};
@@ -76,17 +75,6 @@ TEST(Growth, StepsOfAnyLengthWillDo) {
     }
 }
 
-TEST(Growth, TheUnionOfTwoDiscsIsErodedToSecondOrder) {
-    const scenes::TwoDiscs discs{.radius = 0.2};
-    const auto errors = expect_order(1.9, [&](double h) {
-        auto complex = complex_of(union_outline(discs, h), h);
-        grow_and_shrink(complex, h, 0, 0.1);
-        return difference(complex, scenes::shrunk_discs(discs, 0, 0.1).outlines);
-    });
-    EXPECT_LT(errors[1], 6e-4);
-    EXPECT_LT(errors[2], 1.5e-4);
-}
-
 // --- there and back -----------------------------------------------------------------------------
 
 TEST(Growth, AFanShrinksWhereTheFlowTurnsRound) {
@@ -139,8 +127,7 @@ TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
                 ellipse.push_back(on_ellipse(2 * pi * i / vertices));
             }
             auto complex = complex_of(ellipse, h);
-            GrowingShape<double> growing(complex, h,
-                                         {.speeds = {{1, 0, distance > 0 ? 1.0 : -1.0}}});
+            GrowingShape growing(complex, h, {.speeds = {{1, 0, distance > 0 ? 1.0 : -1.0}}});
             EXPECT_EQ(growing.run(0, std::abs(distance)), 0U);
             double sum = 0;
             for (const std::uint32_t v : growing.simulation().interface()) {

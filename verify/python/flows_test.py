@@ -56,11 +56,6 @@ class OfTheLibrary(unittest.TestCase):
             self.assertAlmostEqual(dsc.area(mesh.outlines(1, samples=16)),
                                    0.04 + 0.8 * 0.1 + np.pi * 0.1**2, delta=2e-5)
 
-    def test_growth_without_its_simulation_is_refused(self):
-        sim = dsc.Simulation(disc_mesh(), edge_length=H)
-        with self.assertRaisesRegex(dsc.InputError, "growth_algorithm"):
-            sim.step(dsc.growth({(1, 0): 1}), 0, H)
-
 
 @unittest.skipUnless(RegularGridInterpolator, "without scipy")
 class OnAGrid(unittest.TestCase):
@@ -146,6 +141,8 @@ class ThatSeeTheInterface(unittest.TestCase):
         self.assertEqual({tuple(row) for row in arms[:, 2:]}, {(0, 2), (1, 0), (2, 1)})
         self.assertTrue((np.hypot(*(one.positions[arms[:, 1]] - middle).T) < 0.06).all())
         self.assertTrue(one.is_on_boundary.any())
+        curves = [curve for curve in mesh.interface_curves() if (curve.points == middle).all(axis=1).any()]
+        self.assertEqual({(curve.left, curve.right) for curve in curves}, {(2, 0), (1, 0), (2, 1)})
 
     def test_it_is_called_by_the_thread_that_steps(self):
         threads = set()

@@ -64,6 +64,10 @@ def fluid_of(**changes):
     return lambda mesh: dsc.Fluid(dsc.Simulation(mesh, edge_length=H), **given)
 
 
+def graded(growth=1.3, **sizes):
+    return dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, growth=growth, **sizes)
+
+
 def data(name, values, kind="vertex_data"):
     return lambda mesh: getattr(mesh, kind).__setitem__(name, values)
 
@@ -143,6 +147,19 @@ CASES = {
                                                                        edge_length=H), INPUT, "not a phase"),
     "curve that is a number": (lambda mesh: dsc.initial_complex(DOMAIN, curves=[3], edge_length=H),
                                INPUT, "not a curve"),
+    "growth in a simulation without its algorithm": (stepped(dsc.growth({(1, 0): 1})), INPUT, "growth_algorithm"),
+    "size that is a number": (lambda mesh: graded(by_place=3), INPUT,
+                              r"by_place: bad value: got 3; allowed: a function f\("),
+    "size of a text": (lambda mesh: graded(by_place=lambda x, y, t, p: "long"), INPUT,
+                       "size function returns.*got 'long'"),
+    "size that raises": (lambda mesh: graded(by_distance=lambda d: 1 / 0), ZeroDivisionError, "by zero"),
+    "size of no argument": (lambda mesh: graded(by_distance=lambda: 1), TypeError, "positional argument"),
+    "sizes without growth": (lambda mesh: graded(growth=0, by_distance=lambda d: 1), INPUT, "growth"),
+    "circle without a radius": (lambda mesh: dsc.circle((0, 0), -1, 0.1), INPUT, ""),
+    "scene with an unknown key": (lambda mesh: dsc.scenes.run("swirl", hh=0.03), ValueError,
+                                  "unknown key: got 'hh'"),
+    "scene that does not exist": (lambda mesh: dsc.scenes.run("swril"), ValueError, "swril"),
+    "fluid that slips at no side": (fluid_of(slip={"front"}), INPUT, "slip: no side of the domain: got 'front'"),
     "growth of one phase": (lambda mesh: dsc.growth({1: 2}), TypeError, "incompatible"),
     "fluid without a phase": (fluid_of(phases={0: (1, 1)}), INPUT, "phase|tension"),
     "fluid without gravity's second number": (fluid_of(gravity=(1,)), INPUT, r"gravity.*shape"),

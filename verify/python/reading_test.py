@@ -59,10 +59,6 @@ class Measures(unittest.TestCase):
         mesh = dsc.initial_complex(DOMAIN, {np.uint32(1): disc()}, edge_length=H)
         self.assertEqual(mesh.mesh_hash, disc_mesh().mesh_hash)
 
-    def test_a_circle_without_a_radius_is_refused(self):
-        with self.assertRaises(dsc.InputError):
-            dsc.circle((0, 0), -1, 0.1)
-
 
 class Sizes(unittest.TestCase):
     def test_are_functions_or_numbers(self):
@@ -78,17 +74,6 @@ class Sizes(unittest.TestCase):
                 self.assertEqual(sim.step(swirl, 0, H).unreached, 0)
                 self.assertEqual(sim.options["by_place"], options.get("by_place"))
             self.assertEqual(sims[0].mesh.mesh_hash, sims[1].mesh.mesh_hash)
-
-    def test_refused(self):
-        for options, error, sentence in (
-                ({"by_place": 3}, dsc.InputError, r"by_place: bad value: got 3; allowed: a function f\("),
-                ({"by_place": lambda x, y, t, p: "long"}, dsc.InputError, "size function returns.*got 'long'"),
-                ({"by_distance": lambda d: 1 / 0}, ZeroDivisionError, "by zero"),
-                ({"by_distance": lambda: 1}, TypeError, "positional argument")):
-            with self.assertRaisesRegex(error, sentence):
-                dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, growth=1.3, **options)
-        with self.assertRaisesRegex(dsc.InputError, "growth"):
-            dsc.initial_complex(DOMAIN, {1: disc()}, edge_length=H, by_distance=lambda d: 1)
 
 
 class Interplay(unittest.TestCase):

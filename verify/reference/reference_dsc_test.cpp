@@ -1,24 +1,78 @@
 // SPDX-License-Identifier: MIT
-// The literal method of reference/ at work: quality measures, movement, integrators, and short runs
-// of algorithm 5.1.
-#include "support/reference_testing.h"
-
+// The literal method of reference/ at work: movement, integrators, and short runs of algorithm 5.1.
+// Its operations are compared with the library's, and whole runs by the gate.
 #include "dsc/base/error.h"
+#include "dsc/base/types.h"
 #include "reference/algorithm/dsc.h"
-#include "reference/algorithm/selection.h"
+#include "reference/algorithm/quality.h"
+#include "reference/complex/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dsc::reference::reference_dsc_test {
 namespace {
 
-// --- quality measures [4.3] and selection [8.8] --------------------------------------------------
+using Points = std::vector<Point<double>>;
+using Triples = std::vector<std::array<std::uint32_t, 3>>;
 
-TEST(ReferenceQuality, DelaunayConditionHasTheSignOfInCircle) { // figure 4.2
-    for (const double y : {0.2, 0.9, 1.1, 5.0}) {
-        const Complex K = make({{0, 0}, {1, -1}, {2, 0}, {1, y}}, {{0, 1, 2}, {0, 2, 3}});
-        EXPECT_EQ(delaunay(K, E(0, 2)) < 0, y < 1) << y;
+Vertex operator""_v(unsigned long long id) { return Vertex{static_cast<std::uint32_t>(id)}; }
+
+// Vertex 0 at the origin and 1 to 6 on the unit circle, counter-clockwise from angle 0.
+Complex fan() {
+    const double s = std::sqrt(0.75);
+    const Points points{{0, 0}, {1, 0}, {.5, s}, {-.5, s}, {-1, 0}, {-.5, -s}, {.5, -s}};
+    const Triples triangles{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 1}};
+    return make_complex(points, triangles, std::vector<Phase>(6, exterior_phase));
+}
+
+// n x n squares with diagonals from lower left to upper right; vertex (i, j) is j (n + 1) + i. The
+// square (i, j) has phase 1 where `is_inside(i, j)`, and otherwise 0.
+Complex grid(std::uint32_t n, double side,
+             const std::function<bool(std::uint32_t, std::uint32_t)>& is_inside) {
+    Points points;
+    Triples triangles;
+    std::vector<Phase> phases;
+    for (std::uint32_t j = 0; j <= n; ++j) {
+        for (std::uint32_t i = 0; i <= n; ++i)
+            points.emplace_back(i * side, j * side);
     }
-    EXPECT_NEAR(delaunay(square(), E(0, 2)), 0, 1e-15);
-    EXPECT_EQ(delaunay(square(), E(0, 1)), 1);
+    for (std::uint32_t j = 0; j < n; ++j) {
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t a = j * (n + 1) + i;
+            triangles.push_back({a, a + 1, a + n + 2});
+            triangles.push_back({a, a + n + 2, a + n + 1});
+            phases.insert(phases.end(), 2, is_inside(i, j) ? Phase{1} : exterior_phase);
+        }
+    }
+    return make_complex(points, triangles, phases);
+}
+
+// The unit square in 20 x 20 squares, of which those from `low` up to `high` in both directions
+// have phase 1.
+Complex square_in_square(std::uint32_t low, std::uint32_t high) {
+    return grid(20, .05, [&](std::uint32_t i, std::uint32_t j) {
+        return std::min(i, j) >= low && std::max(i, j) < high;
+    });
+}
+
+double total_area(const Complex& K, Phase phase) {
+    double sum = 0;
+    for (const auto& [t, p] : K.phases())
+        sum += p == phase ? area(K, t) : 0.0;
+    return sum;
+}
+
+void expect_valid(const Complex& K) {
+    for (const std::string& fault : validate(K))
+        ADD_FAILURE() << fault;
 }
 
 // --- movement [5.1], integrators, interpolators [8.9] --------------------------------------------
@@ -59,57 +113,6 @@ TEST(ReferenceIntegrators, HaveTheirOrders) {
     const Point<double> p = advect(clock, {0, 0}, 1, 1, Integrator::rk4);
     EXPECT_NEAR(p.x(), 1.5, 1e-15);
     EXPECT_NEAR(p.y(), 7.0 / 3, 1e-15);
-}
-
-// --- the mesh updates of algorithm 5.1 -----------------------------------------------------------
-
-// The upper half of a grid: the interface runs along y = 2 from vertex 10 to 14, and around the
-// wall.
-Complex half_full() {
-    return grid(4, {16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31});
-}
-
-PassOptions with_edge_length_only(double h) {
-    PassOptions options;
-    options.edge_length = h;
-    return options;
-}
-
-TEST(ReferencePasses, ShortInterfaceEdgesVanishWhereTheCurveStays) {
-    const PassOptions options = with_edge_length_only(1);
-    PassCounts counts;
-    Complex K = half_full();
-    K.set_coord(11_v, {1.6, 2}); // without 11, the edge from 10 to 12 would be too long
-    interface_coarsening(K, K.interface(), options, counts);
-    EXPECT_EQ(counts.collapses, 1U);
-    EXPECT_TRUE(K.is_interface(E(11, 13)));
-    expect_valid(K);
-    Complex bent = half_full();
-    bent.set_coord(11_v, {1.6, 2.1}); // both ends stand off the line of their neighbours
-    interface_coarsening(bent, bent.interface(), options, counts);
-    EXPECT_EQ(counts.collapses, 1U);
-}
-
-TEST(ReferencePasses, PhasesKeepTheirSizes) {
-    Complex K = grid(8);
-    PassCounts counts;
-    phase_coarsening(K, *phases(K).begin(), with_edge_length_only(4), counts);
-    EXPECT_GT(counts.retriangulations, 0U);
-    EXPECT_LT(K.vertices().size(), 81U);
-    Complex coarse = half_full();
-    phase_refinement(coarse, *phases(coarse).rbegin(), with_edge_length_only(.5), counts);
-    EXPECT_GT(counts.subdivisions, 0U);
-    EXPECT_GT(counts.splits, 0U); // at the interface, where a subdivision is illegal
-    PassOptions by_phase = with_edge_length_only(.5);
-    by_phase.phase_edge_length = [](Phase phase, const Point<double>&) {
-        return phase == 1 ? 9. : .5;
-    };
-    PassCounts none;
-    coarse = half_full();
-    phase_refinement(coarse, *phases(coarse).rbegin(), by_phase, none);
-    EXPECT_EQ(none.subdivisions + none.splits, 0U);
-    expect_valid(K);
-    expect_valid(coarse);
 }
 
 // --- the algorithm [5.6] -------------------------------------------------------------------------
@@ -160,7 +163,7 @@ TEST(ReferenceDsc, EndsWhereTheWallEnds) {
     EXPECT_GT(run(K, wind, 1, 8, options).unreached, 0U);
     EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
     // Figure 8.3: the water's edge at the wall slides along it, and the corners stay.
-    Complex water = grid(4, {0, 1, 2, 3, 4, 5, 6, 7});
+    Complex water = grid(4, 1, [](std::uint32_t, std::uint32_t j) { return j == 0; });
     const Velocity up = [](const Point<double>&, double) { return Point<double>(.3, .3); };
     EXPECT_EQ(run(water, up, 1, 1, with_edge_length(1)).unreached, 0U);
     EXPECT_EQ(water.coord(0_v), Point<double>(0, 0));

@@ -18,35 +18,15 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace dsc::test {
 
-enum class Operation : std::uint8_t {
-    flip,
-    split,
-    collapse,
-    subdivision,
-    retriangulation,
-    smoothing,
-    triangle_collapse,          ///< the interface is kept
-    interface_triangle_collapse ///< and may change
-};
-
-inline std::string to_string(Operation operation) {
-    constexpr std::array<const char*, 8> names{"flip",
-                                               "split",
-                                               "collapse",
-                                               "subdivision",
-                                               "retriangulation",
-                                               "smoothing",
-                                               "triangle_collapse",
-                                               "interface_triangle_collapse"};
-    return names[static_cast<std::size_t>(operation)];
-}
-
 /// How often each verdict was given: a test that never meets a verdict does not test it.
 struct Tally {
-    std::map<std::pair<Operation, Verdict>, int> verdicts;
+    std::map<std::pair<std::string, Verdict>, int> verdicts; ///< by operation
     int compared = 0;
     int excused = 0;
 };
@@ -121,7 +101,7 @@ public:
     Equivalence(const Case<Real>& given, Tally& tally) : given_(given), tally_(tally) {}
 
     // `library` and `literal` perform the operation on copies; `vertices` are those of the simplex.
-    void compare(Operation operation, const std::vector<Vertex>& vertices,
+    void compare(const std::string& operation, const std::vector<Vertex>& vertices,
                  const std::function<Verdict(const Submesh<Real>&)>& library,
                  const std::function<Verdict(reference::Complex&)>& literal) {
         Complex<Real> complex = given_.complex;
@@ -135,7 +115,7 @@ public:
         ++tally_.verdicts[{operation, verdict}];
         ++tally_.compared;
         const auto what = [&] {
-            std::string words = to_string(operation) + " of";
+            std::string words = operation + " of";
             for (const Vertex v : vertices) {
                 words += " " + std::to_string(v.id);
             }
@@ -154,7 +134,7 @@ public:
             return;
         }
         if (verdict == Verdict::legal) {
-            if (operation == Operation::smoothing) {
+            if (operation == "smoothing") {
                 // Sums in another order round differently.
                 const Vertex v = vertices.front();
                 const Point<double> p = complex.position(v).template cast<double>();
@@ -169,17 +149,17 @@ private:
     // What the reference cannot know: the domain boundary outside its submesh, and an edge out
     // there that a collapse would fall onto (it sees the triangles between invert instead). And
     // what neither can: whether a gain below rounding is one.
-    bool excused(Operation operation, Verdict verdict, Verdict expected,
+    bool excused(const std::string& operation, Verdict verdict, Verdict expected,
                  const std::vector<Vertex>& vertices, const reference::Complex& after) const {
         const auto is_pair = [&](Verdict a, Verdict b) {
             return (verdict == a && expected == b) || (verdict == b && expected == a);
         };
-        if (operation == Operation::smoothing && is_pair(Verdict::legal, Verdict::no_gain)) {
+        if (operation == "smoothing" && is_pair(Verdict::legal, Verdict::no_gain)) {
             const Vertex v = vertices.front();
             return std::abs(reference::ring_quality(after, v) -
                             reference::ring_quality(given_.copied, v)) < 1e-14;
         }
-        if (operation == Operation::collapse && verdict == Verdict::changes_topology &&
+        if (operation == "collapse" && verdict == Verdict::changes_topology &&
             expected == Verdict::inverts) {
             return std::any_of(vertices.begin(), vertices.end(), [&](Vertex v) {
                 return given_.copied.submesh_boundary_vertices.contains(v);
@@ -240,11 +220,11 @@ void for_each_case(std::uint64_t first_seed, int count, Compare compare) {
 }
 
 /// Every verdict that the semantics allow must have been met.
-inline void expect_all_met(Tally& tally, Operation operation, const std::vector<Verdict>& verdicts,
-                           int at_least) {
+inline void expect_all_met(Tally& tally, const std::string& operation,
+                           const std::vector<Verdict>& verdicts, int at_least) {
     for (const Verdict verdict : verdicts) {
         EXPECT_GE((tally.verdicts[{operation, verdict}]), at_least)
-            << to_string(operation) << ' ' << dsc::to_string(verdict);
+            << operation << ' ' << dsc::to_string(verdict);
     }
 }
 

@@ -35,10 +35,6 @@ public:
     }
     void go(double time, double dt) {
         changing_turn(at_, time, scratch_.first);
-        go_along(scratch_.first[0], time, dt);
-    }
-    void go_along(const Point<double>& velocity, double time, double dt) {
-        scratch_.first[0] = velocity;
         const IntegratorStep<double> step{complex_, vertices_, at_, to_, held_, dt};
         EXPECT_EQ(integrator_->integrate(step, changing_turn, time, scratch_), 0);
         integrator_->accept(step);

@@ -75,18 +75,6 @@ TYPED_TEST(Selecting, HasNextAndGetNext) {
     }
     EXPECT_EQ(ids, (std::vector<std::uint32_t>{5, 4, 3}));
     EXPECT_THROW(selection.get_next(), InvariantError);
-    // A strategy of the application's own.
-    const SelectionStrategy<TypeParam> even = [](std::span<const TypeParam> candidates,
-                                                 const QualityFunction<TypeParam>&) {
-        std::vector<TypeParam> chosen;
-        for (const TypeParam s : candidates) {
-            if (s.id % 2 == 0) {
-                chosen.push_back(s);
-            }
-        }
-        return chosen;
-    };
-    EXPECT_EQ(Selection<TypeParam>(list, quality, even).size(), 3U);
 }
 
 } // namespace

@@ -27,49 +27,6 @@ using test::shares_of;
 
 constexpr double infinity = Region::infinity;
 
-using Positions = std::vector<std::pair<double, float>>;
-
-TEST(Cuts, GiveEachSlabTheSameShareAndNoneIsThin) {
-    Dice dice(1);
-    for (const bool weighted : {false, true}) {
-        Positions positions;
-        double total = 0;
-        for (int i = 0; i < 4000; ++i) {
-            const double place = dice.chance(0.5) ? dice.in(0.0, 1.0) : dice.in(0.2, 0.5);
-            positions.emplace_back(place, weighted ? static_cast<float>(dice.in(1.0, 9.0)) : 1.0F);
-            total += static_cast<double>(positions.back().second);
-        }
-        const Cuts cuts = cuts_of_equal_share(positions, 8, 0.01);
-        ASSERT_EQ(cuts.red.size(), 9U);
-        ASSERT_EQ(cuts.black.size(), 10U);
-        const auto held = [&](double low, double high) {
-            double sum = 0;
-            for (const auto& [place, weight] : positions) {
-                sum += low <= place && place < high ? static_cast<double>(weight) : 0;
-            }
-            return sum;
-        };
-        for (std::size_t i = 0; i < 8; ++i) {
-            EXPECT_NEAR(held(cuts.red[i], cuts.red[i + 1]), total / 8, 20) << "red " << i;
-        }
-        for (std::size_t i = 1; i < 8; ++i) {
-            EXPECT_NEAR(held(cuts.black[i], cuts.black[i + 1]), total / 8, 20) << "black " << i;
-            EXPECT_NEAR(held(cuts.black[i], cuts.red[i]), total / 16, 20) << "not in the middle";
-        }
-        EXPECT_NEAR(held(cuts.black[8], infinity) + held(-infinity, cuts.black[1]), total / 8, 20);
-        const Cuts wide = cuts_of_equal_share(positions, 8, 0.2);
-        EXPECT_LT(wide.red.size(), 7U);
-        EXPECT_GE(wide.red.size(), 3U);
-        EXPECT_GE(wide.red[1], 0.2);
-        EXPECT_LE(wide.red[wide.red.size() - 2], 0.8);
-        for (const auto* list : {&wide.red, &wide.black}) {
-            for (std::size_t i = 1; i + 2 < list->size(); ++i) {
-                EXPECT_GE((*list)[i + 1] - (*list)[i], 0.2);
-            }
-        }
-    }
-}
-
 // Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. If red
 // cuts are left out because slabs would be too thin, the black ones are left out with them.
 TEST(Cuts, OfTheTwoColoursLieApart) {
@@ -106,8 +63,11 @@ TEST(Slabs, ShareTheWork) {
         SlabPartitioner<double> active(slab_options(Slabbing::active, 5, degrees));
         disc.divide(active);
         ASSERT_EQ(disc.regions(0).size(), 5U);
-        for (const double share : shares_of(disc, 0)) {
-            EXPECT_NEAR(share, 0.2, 0.02) << degrees << " degrees";
+        ASSERT_EQ(disc.regions(1).size(), 5U) << "its ends are one";
+        for (const std::size_t colour : {0U, 1U}) {
+            for (const double share : shares_of(disc, colour)) {
+                EXPECT_NEAR(share, 0.2, 0.02) << degrees << " degrees, colour " << colour;
+            }
         }
         // Of all vertices, whatever their work.
         SlabPartitioner<double> counting(slab_options(Slabbing::counting, 5, degrees));
@@ -143,56 +103,52 @@ TEST(Slabs, AreCutAcrossTheDirectionAskedFor) {
     }
 }
 
-Complex<double> ellipse_complex(double h, double degrees) {
-    const double turn = degrees * std::numbers::pi / 180;
-    const Point<double> along(std::cos(turn), std::sin(turn));
-    const Point<double> across(-along.y(), along.x());
-    std::vector<Point<double>> points;
-    for (const auto& p : test::circle_points({0, 0}, 1, 120)) {
-        points.emplace_back(Point<double>(0.5, 0.5) + 0.35 * p.x() * along + 0.12 * p.y() * across);
-    }
-    const std::vector<Shape> shapes{{points, 1}};
-    return initial_complex<double>({}, shapes, {.edge_length = h});
-}
-
 TEST(Slabs, FollowTheShape) {
     for (const double degrees : {30.0, 0.0, 90.0, 150.0}) {
-        Divided ellipse(ellipse_complex(0.01, degrees), 0.01);
+        const double turn = degrees * std::numbers::pi / 180;
+        const Point<double> along(std::cos(turn), std::sin(turn));
+        std::vector<Point<double>> ellipse = test::circle_points({0.5, 0.5}, 0.12, 120);
+        for (Point<double>& p : ellipse) {
+            p += 2 * (p - Point<double>(0.5, 0.5)).dot(along) * along;
+        }
+        Divided divided(
+            initial_complex<double>({}, std::vector<Shape>{{ellipse, 1}}, {.edge_length = 0.01}),
+            0.01);
         SlabOptions options = slab_options(Slabbing::active, 4, 77);
         options.follow_shape = true;
         SlabPartitioner<double> partitioner(options);
-        ellipse.divide(partitioner);
-        ASSERT_EQ(ellipse.regions(0).size(), 4U);
-        const double turn = degrees * std::numbers::pi / 180;
-        for (const Region& region : ellipse.regions(0)) {
-            const double cosine =
-                region.normal_x * std::cos(turn) + region.normal_y * std::sin(turn);
+        divided.divide(partitioner);
+        ASSERT_EQ(divided.regions(0).size(), 4U);
+        for (const Region& region : divided.regions(0)) {
+            const double cosine = Point<double>(region.normal_x, region.normal_y).dot(along);
             EXPECT_GT(std::abs(cosine), std::cos(3 * std::numbers::pi / 180)) << degrees;
         }
     }
 }
 
-TEST(Cuts, TwoSlabsOfEqualShareHaveOneCutBetweenThem) {
+TEST(Cuts, OfFewSlabsAreFew) {
+    const std::vector<double> none{-infinity, infinity};
     std::vector<std::pair<double, float>> positions;
     for (int i = 0; i < 100; ++i) {
         positions.emplace_back(i, 1.0F);
     }
-    const Cuts two = cuts_of_equal_share(positions, 2, 1);
-    ASSERT_EQ(two.red.size(), 3U);
-    EXPECT_NEAR(two.red[1], 50, 1);
-    const Cuts one = cuts_of_equal_share(positions, 1, 1);
-    EXPECT_EQ(one.red, (std::vector<double>{-Region::infinity, Region::infinity}));
-    EXPECT_EQ(one.black, one.red);
-}
-
-TEST(Cuts, OneSlabOfAWidthHasNoCuts) {
-    const std::vector<double> none{-Region::infinity, Region::infinity};
-    for (const Cuts& cuts : {cuts_of_equal_width(0, 8, 1, 0), cuts_of_equal_width(0, 8, 4, 100)}) {
+    for (const Cuts& cuts : {cuts_of_equal_share(positions, 1, 1), cuts_of_equal_width(0, 8, 1, 0),
+                             cuts_of_equal_width(0, 8, 4, 100)}) {
         EXPECT_EQ(cuts.red, none);
         EXPECT_EQ(cuts.black, none);
     }
-    EXPECT_EQ(cuts_of_equal_width(0, 8, 2, 0).red,
-              (std::vector<double>{-Region::infinity, 4, Region::infinity}));
+    EXPECT_EQ(cuts_of_equal_width(0, 8, 2, 0).red, (std::vector<double>{-infinity, 4, infinity}));
+    const Cuts two = cuts_of_equal_share(positions, 2, 1);
+    ASSERT_EQ(two.red.size(), 3U);
+    EXPECT_NEAR(two.red[1], 50, 1);
+    // None is thinner than asked for.
+    const Cuts wide = cuts_of_equal_share(positions, 8, 20);
+    EXPECT_GE(wide.red.size(), 3U);
+    for (const auto* list : {&wide.red, &wide.black}) {
+        for (std::size_t i = 1; i + 2 < list->size(); ++i) {
+            EXPECT_GE((*list)[i + 1] - (*list)[i], 20);
+        }
+    }
 }
 
 // --- blocks -------------------------------------------------------------------------------------

@@ -8,9 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace dsc::junctions_test {
@@ -55,14 +58,8 @@ Complex<double> wedge(double height, double slope) {
     });
 }
 
-std::vector<P> on_floor(const std::vector<P>& places) {
-    std::vector<P> found;
-    for (const P& p : places) {
-        if (p.y() == 0) {
-            found.push_back(p);
-        }
-    }
-    return found;
+std::ptrdiff_t on_floor(const std::vector<P>& places) {
+    return std::ranges::count_if(places, [](const P& p) { return p.y() == 0; });
 }
 
 Phase phase_at_corner(const Complex<double>& complex, const P& place) {
@@ -75,84 +72,72 @@ Phase phase_at_corner(const Complex<double>& complex, const P& place) {
     return nothing;
 }
 
-// --- ends that meet on the wall -----------------------------------------------------------------
-
-TEST(WallJunctions, APhaseLeavesTheWallWhereItsFootIsShort) {
-    auto complex = narrow_foot(0.3);
-    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 2U);
-    const auto events = change(complex);
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].kind, EventKind::exchange);
-    EXPECT_EQ(events[0].lost, 2U);
-    EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), (std::set<Phase>{1, 3}));
-    EXPECT_GT(events[0].area, 0);
-    const Ends ends = ends_of(complex);
-    EXPECT_EQ(on_floor(ends.on_wall).size(), 1U);
-    ASSERT_EQ(ends.inside.size(), 1U);
-    EXPECT_GT(ends.inside[0].y(), 0.05);
-    EXPECT_EQ(ends.crowded, 0U);
+// A curve from the corner (0, 0) that rises by `slope`.
+Complex<double> from_corner(double slope) {
+    return grid({0, 1, 2, 3, 4}, {0, slope, 2 * slope, 3 * slope, 4 * slope, 5 * slope},
+                [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
 }
 
-TEST(WallJunctions, APhaseStaysAtTheWallWhereThatCostsLess) {
-    auto complex = narrow_foot(1.0); // its sides pull its foot open
-    EXPECT_TRUE(change(complex).empty());
-    auto dear = narrow_foot(0.3);
-    TopologyOptions<double> options = changing();
-    options.energy = [](Phase one, Phase other) { return one + other == 4 ? 5.0 : 1.0; };
-    EXPECT_TRUE(change(dear, options).empty());
-    EXPECT_EQ(on_floor(ends_of(dear).on_wall).size(), 2U);
+// --- ends that meet on the wall, and junctions that reach it ------------------------------------
+
+TEST(WallJunctions, ChangeToWhatCostsLess) {
+    struct Row {
+        const char* what;
+        Complex<double> complex;
+        std::set<Phase> taken;
+        std::ptrdiff_t on_floor;
+        std::size_t inside;
+    };
+    const std::vector<Row> rows{
+        {"a phase leaves the wall where its foot is short", narrow_foot(0.3), {1, 3}, 1, 1},
+        {"two sides of a steep wedge at one place leave it", wedge(0, 5), {1, 3}, 1, 1},
+        {"those of a flat one come apart", wedge(0, 0.5), {2}, 2, 0},
+        {"a short curve to the wall vanishes", wedge(0.1, 1), {2}, 2, 0}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.what);
+        auto complex = row.complex;
+        const auto events = change(complex);
+        ASSERT_EQ(events.size(), 1U);
+        EXPECT_EQ(events[0].kind, EventKind::exchange);
+        // Either side would gain the same: the smaller phase gives way.
+        EXPECT_EQ(events[0].lost, row.taken.contains(2) ? 1U : 2U);
+        EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), row.taken);
+        EXPECT_GT(events[0].area, 0);
+        const Ends ends = ends_of(complex);
+        EXPECT_EQ(on_floor(ends.on_wall), row.on_floor);
+        EXPECT_EQ(ends.inside.size(), row.inside);
+        EXPECT_EQ(ends.crowded, 0U);
+    }
 }
 
-TEST(WallJunctions, NothingChangesWhereThePairHasToStay) {
-    auto foot = narrow_foot(0.3);
-    TopologyOptions<double> options = changing();
-    options.pairs = {{.one = 2, .other = 3, .rule = Topology::keep}};
-    EXPECT_TRUE(change(foot, options).empty());
-    auto point = wedge(0.1, 1);
-    EXPECT_TRUE(change(point, options).empty());
-}
-
-// --- junctions that reach the wall --------------------------------------------------------------
-
-TEST(WallJunctions, TheCurveToTheWallVanishesWhereItIsShort) {
-    auto complex = wedge(0.1, 1);
-    ASSERT_EQ(on_floor(ends_of(complex).on_wall).size(), 1U);
-    const auto events = change(complex);
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].kind, EventKind::exchange);
-    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
-    EXPECT_GT(events[0].area, 0);
-    const Ends ends = ends_of(complex);
-    EXPECT_EQ(on_floor(ends.on_wall).size(), 2U);
-    EXPECT_TRUE(ends.inside.empty());
-    EXPECT_EQ(ends.crowded, 0U);
-}
-
-TEST(WallJunctions, TheCurveToTheWallStaysWhereTheJunctionPullsAway) {
-    auto complex = wedge(0.1, 5);
-    EXPECT_TRUE(change(complex).empty());
-    EXPECT_EQ(ends_of(complex).inside.size(), 1U);
-}
-
-// --- several curves that end at one place -------------------------------------------------------
-
-TEST(WallJunctions, TwoCurvesAtOnePlaceComeApartAsTheEnergyWants) {
-    auto narrow = wedge(0, 5);
-    ASSERT_EQ(ends_of(narrow).crowded, 1U);
-    auto events = change(narrow);
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].lost, 2U);
-    EXPECT_EQ(on_floor(ends_of(narrow).on_wall).size(), 1U);
-    EXPECT_EQ(ends_of(narrow).inside.size(), 1U);
-
-    auto wide = wedge(0, 0.5);
-    events = change(wide);
-    ASSERT_EQ(events.size(), 1U);
-    // Either side would gain the same: the smaller phase gives way.
-    EXPECT_EQ(events[0].lost, 1U);
-    EXPECT_EQ(events[0].taken, (std::array<Phase, 2>{2, 2}));
-    EXPECT_EQ(on_floor(ends_of(wide).on_wall).size(), 2U);
-    EXPECT_TRUE(ends_of(wide).inside.empty());
+TEST(WallJunctions, StayWhereThatCostsLessAndWhereTheyHaveTo) {
+    TopologyOptions<double> dear = changing(); // an interface between 1 and 3
+    dear.energy = [](Phase one, Phase other) { return one + other == 4 ? 5.0 : 1.0; };
+    TopologyOptions<double> kept = changing();
+    kept.pairs = {{.one = 2, .other = 3, .rule = Topology::keep}};
+    struct Row {
+        const char* what;
+        Complex<double> complex;
+        TopologyOptions<double> options = changing();
+    };
+    const std::vector<Row> rows{
+        {"the sides of a foot pull it open", narrow_foot(1.0)},
+        {"a junction pulls away from the wall", wedge(0.1, 5)},
+        {"what would come instead is dear", narrow_foot(0.3), dear},
+        {"the pair has to stay", narrow_foot(0.3), kept},
+        {"the pair has to stay at a junction as well", wedge(0.1, 1), kept},
+        {"a curve in a corner", from_corner(1.0)},
+        {"a steep one", from_corner(2.0)},
+        {"a flat one", from_corner(0.4)},
+        {"a curve stands upright on a wall that ends in a reentrant corner",
+         grid({-3, -2, -1, -0.1, 0, 1, 2, 3, 4}, {-3, -2, -1, 0, 1, 2, 3}, [](const P& p) {
+             return p.x() < 0 && p.y() < 0 ? nothing : (p.x() < -0.1 ? 1U : 2U);
+         })}};
+    for (const Row& row : rows) {
+        auto complex = row.complex;
+        EXPECT_TRUE(change(complex, row.options).empty()) << row.what;
+        EXPECT_EQ(ends_of(complex).on_wall.size(), ends_of(row.complex).on_wall.size()) << row.what;
+    }
 }
 
 TEST(WallJunctions, FourSectorsAtOnePlaceComeApart) {
@@ -191,37 +176,14 @@ TEST(WallJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherWall) {
     }
 }
 
-// A curve from the corner (0, 0) that rises by `slope`.
-Complex<double> from_corner(double slope) {
-    return grid({0, 1, 2, 3, 4}, {0, slope, 2 * slope, 3 * slope, 4 * slope, 5 * slope},
-                [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
-}
-
-TEST(WallJunctions, ACurveInACornerStaysUntilItLiesAlongAWall) {
-    for (const double slope : {1.0, 2.0, 0.4}) {
+TEST(WallJunctions, ACurveInACornerGoesOnWhereItLiesAlongAWall) {
+    for (const auto& [slope, lost] : {std::pair{5.0, 1U}, std::pair{0.2, 2U}}) {
         auto complex = from_corner(slope);
-        EXPECT_TRUE(change(complex).empty()) << slope;
+        const auto events = change(complex);
+        ASSERT_EQ(events.size(), 1U);
+        EXPECT_EQ(events[0].lost, lost);
+        EXPECT_EQ(phase_at_corner(complex, P(0, 0)), 3 - lost);
     }
-    auto steep = from_corner(5);
-    auto events = change(steep);
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].lost, 1U);
-    EXPECT_EQ(phase_at_corner(steep, P(0, 0)), 2U);
-    auto flat = from_corner(0.2);
-    events = change(flat);
-    ASSERT_EQ(events.size(), 1U);
-    EXPECT_EQ(events[0].lost, 2U);
-    EXPECT_EQ(phase_at_corner(flat, P(0, 0)), 1U);
-}
-
-TEST(WallJunctions, AnEndThatReachesAReentrantCornerStaysThere) {
-    auto complex =
-        grid({-3, -2, -1, -0.1, 0, 1, 2, 3, 4}, {-3, -2, -1, 0, 1, 2, 3}, [](const P& p) {
-            return p.x() < 0 && p.y() < 0 ? nothing : (p.x() < -0.1 ? 1U : 2U);
-        });
-    // The curve stands upright on the wall that ends in the corner.
-    EXPECT_TRUE(change(complex).empty());
-    EXPECT_EQ(phase_at_corner(complex, P(0, 0)), nothing);
 }
 
 // --- what other changes leave behind ------------------------------------------------------------

@@ -21,14 +21,6 @@ double area_that_changed_hands(const std::vector<Event>& events) {
     return sum;
 }
 
-TEST(Topology, IsKeptUnlessAskedFor) {
-    auto complex = discs_nearby();
-    test::ChangingSimulation<double> simulation(complex, options(Topology::keep));
-    const Grown grown = run(complex, simulation);
-    EXPECT_TRUE(grown.events.empty());
-    EXPECT_EQ(grown.outlines, 2U);
-}
-
 TEST(Topology, EveryAreaThatChangesHandsIsTold) {
     for (const bool is_wide : {false, true}) {
         const double gap = is_wide ? 0.12 : nearby;

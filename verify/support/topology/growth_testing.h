@@ -5,14 +5,13 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/initial/initial_complex.h"
-#include "dsc/parallel/parallel.h"
-#include "flows/two_discs.h"
 #include "geometric_flows/growth_corners.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -52,75 +51,46 @@ inline Outline offset_polygon(const Outline& corners, double growth, double shri
     return offset;
 }
 
-/// The union of two discs as one outline, with vertices on the circles and at the notches.
-inline Outline union_outline(const scenes::TwoDiscs& discs, double h) {
-    const double d = (discs.second.x() - discs.first.x()) / 2;
-    const double phi = std::acos(d / discs.radius);
-    const int edges =
-        static_cast<int>(std::ceil(discs.radius * (2 * std::numbers::pi - 2 * phi) / h));
-    Outline outline;
-    for (const bool is_first : {true, false}) {
-        const double begin = is_first ? phi : phi - std::numbers::pi;
-        for (int i = 0; i < edges; ++i) {
-            const double angle = begin + i * (2 * std::numbers::pi - 2 * phi) / edges;
-            outline.emplace_back((is_first ? discs.first : discs.second) +
-                                 discs.radius * Point<double>(std::cos(angle), std::sin(angle)));
-        }
-    }
-    return outline;
-}
-
-template <class Real = double>
-Complex<Real> complex_of(const Outline& outline, double h) {
+inline Complex<double> complex_of(const Outline& outline, double h) {
     const std::vector<Shape> shapes{{outline, 1}};
-    return initial_complex<Real>({{0, 0}, {1, 1}}, shapes, {.edge_length = h});
+    return initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = h});
 }
 
 /// A simulation of phase 1, which grows into phase 0.
-template <class Real>
 class GrowingShape {
 public:
-    GrowingShape(Complex<Real>& complex, double h, const GrowthOptions<Real>& growing,
-                 const Parallel* parallel = nullptr)
-        : options_(options_for<Real>(h)),
-          simulation_(
-              complex, options_,
-              parallel != nullptr
-                  ? make_executor(complex, options_, *parallel, growth_algorithm(complex, growing))
-                  : std::make_unique<Executor<Real>>(complex, options_,
-                                                     growth_algorithm(complex, growing))),
+    GrowingShape(Complex<double>& complex, double h, const GrowthOptions<double>& growing)
+        : h_(h),
+          simulation_(complex, options_for<double>(h),
+                      std::make_unique<Executor<double>>(complex, options_for<double>(h),
+                                                         growth_algorithm(complex, growing))),
           flow_(growth(growing)) {}
 
     /// In equal steps of at most `step` edge lengths at a speed of 1. Returns the number of
     /// vertices that did not arrive.
     std::uint64_t run(double begin, double duration, double step = 0.4) {
-        const double h = static_cast<double>(options_.edge_length);
-        const int steps = static_cast<int>(std::ceil(duration / (step * h) - 1e-9));
+        const int steps = static_cast<int>(std::ceil(duration / (step * h_) - 1e-9));
+        const double dt = duration / steps;
         std::uint64_t unreached = 0;
         for (int i = 0; i < steps; ++i) {
-            const double dt = duration / steps;
-            unreached +=
-                simulation_.step(flow_, static_cast<Real>(begin + i * dt), static_cast<Real>(dt))
-                    .unreached;
+            unreached += simulation_.step(flow_, begin + i * dt, dt).unreached;
         }
         return unreached;
     }
-    [[nodiscard]] const Simulation<Real>& simulation() const { return simulation_; }
+    [[nodiscard]] const Simulation<double>& simulation() const { return simulation_; }
 
 private:
-    Options<Real> options_;
-    Simulation<Real> simulation_;
-    InterfaceFlow<Real> flow_;
+    double h_;
+    Simulation<double> simulation_;
+    InterfaceFlow<double> flow_;
 };
 
 /// Grows by one distance and then shrinks by another, one of which may be 0.
-template <class Real>
-void grow_and_shrink(Complex<Real>& complex, double h, double growth, double shrinkage,
-                     double step = 0.4) {
+inline void grow_and_shrink(Complex<double>& complex, double h, double growth, double shrinkage,
+                            double step = 0.4) {
     for (const double distance : {growth, -shrinkage}) {
         if (distance != 0) {
-            const double speed = distance > 0 ? 1 : -1;
-            GrowingShape<Real> growing(complex, h, {.speeds = {{1, 0, speed}}});
+            GrowingShape growing(complex, h, {.speeds = {{1, 0, distance > 0 ? 1.0 : -1.0}}});
             EXPECT_EQ(growing.run(0, std::abs(distance), step), 0U);
             expect_sound(complex, growing.simulation());
         }
@@ -128,8 +98,7 @@ void grow_and_shrink(Complex<Real>& complex, double h, double growth, double shr
 }
 
 /// Relative to the area of the exact shape.
-template <class Real>
-double difference(const Complex<Real>& complex, const std::vector<Outline>& exact) {
+inline double difference(const Complex<double>& complex, const std::vector<Outline>& exact) {
     return scenes::symmetric_difference(scenes::interface_outlines(complex), exact) /
            scenes::signed_area(exact);
 }
