@@ -12,9 +12,9 @@
 #include "measures/jaggedness.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 namespace dsc::gate {
 
@@ -108,12 +108,7 @@ std::optional<Spot> find_spot(const Mesh& mesh, Culprit culprit, const scenes::S
 // --- what is written ----------------------------------------------------------------------------
 
 std::string file_name(const Row& row) {
-    std::string name = row.check->name + '_' + row.of->name;
-    std::ranges::replace_if(
-        name,
-        [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-' && c != '_'; },
-        '-');
-    return name;
+    return std::regex_replace(row.check->name + '_' + row.of->name, std::regex("[^\\w.-]"), "-");
 }
 
 void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::string& title,
