@@ -112,7 +112,7 @@ class HardCases(CommandLine):
         self.assertEqual((held["inverted"], held["uncounted"], held["gave_up"]), (0, 0, ""))
         self.assertEqual(held["missed"], held["unreached"])
         self.assertGreater(held["held"], 0)
-        self.assertIsNone(held["error"])
+        self.assertIsNone(held["shape_error"])
         self.assertIn("choose_frame", refused["error_message"])
 
 
