@@ -111,15 +111,6 @@ std::string file_name(const Row& row) {
     return std::regex_replace(row.check->name + '_' + row.of->name, std::regex("[^\\w.-]"), "-");
 }
 
-void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::string& title,
-          const std::string& path) {
-    const double reach = edges_around * edge_length;
-    write_svg(mesh, path,
-              {.view = Rectangle{spot.at.array() - reach, spot.at.array() + reach},
-               .title = title,
-               .marks = {{spot.at.x(), spot.at.y(), spot.what}}});
-}
-
 // The run on the command line, with the settings that are not those of the scene.
 std::string command_of(const Configuration& run) {
     const scenes::Scene& scene = run.of->file.scene;
@@ -181,8 +172,11 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
             place.at = spot->at;
             place.time = time;
             place.picture = path + ".svg";
-            draw(mesh, *spot, run.parameters.h, row.check->name + ", " + row.of->name,
-                 place.picture);
+            const double reach = edges_around * run.parameters.h;
+            write_svg(mesh, place.picture,
+                      {.view = Rectangle{spot->at.array() - reach, spot->at.array() + reach},
+                       .title = row.check->name + ", " + row.of->name,
+                       .marks = {{spot->at.x(), spot->at.y(), spot->what}}});
         }
     };
     (void)scenes::run_scene(scene, run.parameters, options);
