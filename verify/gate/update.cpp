@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 
 #include <algorithm>
-#include <ranges>
 #include <sstream>
 
 namespace dsc::gate {
@@ -102,8 +101,8 @@ std::string with_limits(const std::string& text, const std::filesystem::path& pa
     }
     // From the end on, so that places before it stay what they are.
     std::ranges::stable_sort(edits, {}, &Edit::begin);
-    for (const Edit& edit : std::views::reverse(edits)) {
-        result.replace(edit.begin, edit.end - edit.begin, edit.text);
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+        result.replace(edit->begin, edit->end - edit->begin, edit->text);
     }
     (void)read_suite_text(result, path);
     return result;
