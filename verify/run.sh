@@ -79,28 +79,9 @@ quick_checks=(area_ratio symmetric_difference symmetric_difference_half inverted
 
 # What has become worse than its limit says by more than a tenth fails as well.
 run_gate() { # run_gate [CHECK...]: all, unless some are named
-    build/release/verify/dsc_verify run "$@" --drift 0.1 --jobs "$gate_jobs" \
-        --out build/release/verify/out </dev/null
-}
-
-# The gate needs one core, so that it runs while the sanitizers' build begins on the others.
-gate=
-gate_words=
-gate_jobs=1
-start_gate() {
-    gate_words=$(mktemp)
-    run_gate >"$gate_words" 2>&1 &
-    gate=$!
-}
-
-await_gate() {
-    if [[ -n $gate ]]; then
-        wait "$gate" || failed+=("gate")
-        say "gate"
-        cat "$gate_words"
-        rm -f "$gate_words"
-        gate=
-    fi
+    say "gate"
+    build/release/verify/dsc_verify run "$@" --drift 0.1 --jobs "$jobs" \
+        --out build/release/verify/out </dev/null || failed+=("gate")
 }
 
 run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
@@ -110,7 +91,6 @@ run_sanitizer() { # run_sanitizer PRESET [COMMAND PREFIX...]
         targets=(--target dsc_tests_asan_all)
     fi
     if build_preset "$1" "${targets[@]}"; then
-        await_gate
         run_tests "$test_preset" "${@:2}"
     else
         failed+=("build of preset $1")
@@ -127,9 +107,7 @@ if $quick; then
     pattern=$(IFS='|' && printf '%s' "${quick_tests[*]}")
     ctest_options=(-R "^($pattern)\\." "${ctest_options[@]}")
     run_tests release
-    say "gate"
-    gate_jobs=$jobs
-    run_gate "${quick_checks[@]}" || failed+=("gate")
+    run_gate "${quick_checks[@]}"
     with_release=false
 elif $all; then
     install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}" \
@@ -155,11 +133,7 @@ if $with_release; then
         exit 1
     fi
     run_tests "$preset"
-    $with_sanitizers || gate_jobs=$jobs
-    start_gate
-    if ! $with_sanitizers; then
-        await_gate
-    fi
+    run_gate
     if $all && ! build_preset lto; then
         failed+=("build of preset lto")
     fi
@@ -183,7 +157,6 @@ if $with_sanitizers; then
     run_sanitizer tsan "${fixed_addresses[@]}" || true
 fi
 
-await_gate
 if $all && $with_release && $with_search; then
     say "seeded faults"
     verify/faults.sh --tenth "$commit" --own </dev/null || failed+=("seeded faults")

@@ -33,47 +33,16 @@ namespace dsc::fuzz {
 
 namespace {
 
-// A file in a folder of this process, which is removed at the end.
-class Scratch {
-public:
-    Scratch()
-        : folder_(std::filesystem::temp_directory_path() /
-                  ("dsc_fuzz_" + std::to_string(getpid()))) {
-        std::filesystem::create_directories(folder_);
-    }
-    ~Scratch() {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    Scratch(Scratch&&) = delete;
-    Scratch& operator=(Scratch&&) = delete;
-
-    [[nodiscard]] std::string path() const { return (folder_ / "file").string(); }
-    [[nodiscard]] std::string with(const std::string& bytes) const {
-        std::ofstream(path(), std::ios::binary) << bytes;
-        return path();
-    }
-
-private:
-    std::filesystem::path folder_;
-};
-
-const Scratch& scratch() {
-    static const Scratch one;
-    return one;
+// A file of this process.
+const std::filesystem::path& scratch() {
+    static const auto path =
+        std::filesystem::temp_directory_path() / ("dsc_fuzz_" + std::to_string(getpid()));
+    return path;
 }
 
-template <class Read>
-std::uint64_t end_or_refuse(Read read) {
-    try {
-        read();
-        return 1;
-    } catch (const FileError& error) {
-        expect(!error.path().empty(), std::string("an error without a path: ") + error.what());
-    }
-    return 0;
+std::string in_file(const std::string& bytes) {
+    std::ofstream(scratch(), std::ios::binary) << bytes;
+    return scratch();
 }
 
 Velocity<double> steady_flow() {
@@ -156,14 +125,13 @@ std::uint64_t run_archives(std::span<const std::uint8_t> bytes) {
         return end_or_refuse([&] { read_simulation(decoder, kind == 1); });
     }
     const std::string text = decoder.text();
-    return end_or_refuse([&] {
+    const std::uint64_t read = end_or_refuse([&] {
         switch (kind) {
-        case 2: (void)read_sealed(scratch().with(text), {"dsc-run", 1}); break;
+        case 2: (void)read_sealed(in_file(text), {"dsc-run", 1}); break;
         case 3: // sealed, so that the checksum does not stop it
-            write_sealed(scratch().path(), {"dsc-run", 1}, text);
-            (void)scenes::read_checkpoint(scratch().path());
+            (void)scenes::read_checkpoint(in_file(sealed({"dsc-run", 1}, text)));
             break;
-        case 4: replay_edits(read_edits(scratch().with(text))); break;
+        case 4: replay_edits(read_edits(in_file(text))); break;
         default: {
             Archive archive(text, "archive");
             std::map<std::string, std::vector<std::optional<std::pair<bool, std::string>>>> map;
@@ -173,6 +141,8 @@ std::uint64_t run_archives(std::span<const std::uint8_t> bytes) {
         }
         }
     });
+    std::filesystem::remove(scratch());
+    return read;
 }
 
 } // namespace dsc::fuzz

@@ -6,6 +6,8 @@
 // verify/fuzz.sh has libFuzzer search for such bytes; the test FuzzCorpus runs those of the corpus.
 #pragma once
 
+#include "dsc/base/error.h"
+
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -27,6 +29,18 @@ inline void expect(bool condition, const std::string& promise) {
     }
 }
 
+/// 1 if `read` ends, 0 if it is refused a file, whose path the error names.
+template <class Read>
+std::uint64_t end_or_refuse(Read read) {
+    try {
+        read();
+        return 1;
+    } catch (const FileError& error) {
+        expect(!error.path().empty(), std::string("an error without a path: ") + error.what());
+        return 0;
+    }
+}
+
 /// One input; returns how many operations it did: edits, steps, or texts that were read.
 using Run = std::uint64_t (*)(std::span<const std::uint8_t> bytes);
 
@@ -44,6 +58,14 @@ struct Target {
 };
 
 /// All of them.
-[[nodiscard]] const std::vector<Target>& targets();
+[[nodiscard]] inline const std::vector<Target>& targets() {
+    static const std::vector<Target> all{
+        {"operations", run_operations}, {"steps", run_steps},
+        {"scene_file", run_scene_file}, {"outlines", run_outlines},
+        {"formulas", run_formulas},     {"command_line", run_command_line},
+        {"archives", run_archives},
+    };
+    return all;
+}
 
 } // namespace dsc::fuzz

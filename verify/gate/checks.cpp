@@ -16,14 +16,6 @@ using scenes::RunResult;
 
 // --- figures -------------------------------------------------------------------------------------
 
-auto last(const char* name) {
-    return [name](const RunResult& r) { return number(r.last, name); };
-}
-
-auto half(const char* name) {
-    return [name](const RunResult& r) { return number(r.half.value(), name); };
-}
-
 // How far the change of the area differs from that of the exact shape; for flows without divergence
 // |A(t) / A(0) - 1|.
 double area_drift(const RunResult& r) {
@@ -100,26 +92,71 @@ double figure_of(const RunResult& r, const std::string& name) {
     return number(is_half ? r.half.value() : r.last, measure);
 }
 
-// --- the table -----------------------------------------------------------------------------------
-
-// A ratio of the sequential run, which `figures` of result files have to know.
-Check of_run(const char* name, const char* description, const char* group,
-             std::function<double(const RunResult&)> figure, std::vector<std::string> figures,
-             Culprit culprit) {
-    return {.name = name,
-            .description = description,
-            .group = group,
-            .figure = std::move(figure),
-            .figures = std::move(figures),
-            .culprit = culprit};
+Culprit culprit_of(const std::string& figure) {
+    if (figure == "inverted") {
+        return Culprit::first_failure;
+    }
+    if (figure.starts_with("min_quality") || figure == "unreached" || figure == "held") {
+        return Culprit::worst_triangle;
+    }
+    if (figure.find("angle_deg") != std::string::npos) {
+        return Culprit::sharpest_corner;
+    }
+    return figure.starts_with("jaggedness") ? Culprit::turn : Culprit::deviation;
 }
 
-// Of a fluid's run, by its name in result files.
+std::string unit_of(const std::string& figure) {
+    for (const scenes::Measure& measure : scenes::default_measures()) {
+        if (figure.starts_with(measure.name + "_last") ||
+            figure.starts_with(measure.name + "_half")) {
+            return measure.unit;
+        }
+    }
+    return figure == "inverted"                        ? "triangles"
+           : figure == "unreached" || figure == "held" ? "vertices"
+                                                       : "1";
+}
+
+// Of a figure by its name in result files, which says the rest.
+Check of_figure(std::string name, std::string description, std::string group,
+                const std::string& figure) {
+    return {.name = std::move(name),
+            .description = std::move(description),
+            .group = std::move(group),
+            .figure = [figure](const RunResult& r) { return figure_of(r, figure); },
+            .figures = {figure},
+            .culprit = culprit_of(figure),
+            .unit = unit_of(figure)};
+}
+
+// --- the table -----------------------------------------------------------------------------------
+
 Check of_fluid(const char* name, const char* description, const char* figure) {
     return {.name = name,
             .description = description,
             .group = "fluid",
             .figure = [figure](const RunResult& r) { return number(r.fluid, figure); }};
+}
+
+Check of_events(const char* name, const char* description, EventKind kind) {
+    return {.name = name,
+            .description = description,
+            .group = "events",
+            .figure =
+                [kind](const RunResult& r) {
+                    return static_cast<double>(std::ranges::count(r.events, kind, &Event::kind));
+                },
+            .unit = "events"};
+}
+
+Check of_lost(const char* name, const char* description, Of of, const char* unit) {
+    return {.name = name,
+            .description = description,
+            .group = "validity",
+            .of = of,
+            .figure = lost,
+            .culprit = Culprit::first_failure,
+            .unit = unit};
 }
 
 // What of several runs is compared: see `Of`.
@@ -134,51 +171,34 @@ Check of_runs(Of of, const char* name, const char* description, const char* grou
             .figures = std::move(figures)};
 }
 
-Check in_unit(Check check, const char* unit) {
-    check.unit = unit;
-    return check;
-}
-
 // The limit is a lower one.
-Check at_least(Check check, const char* unit = "1") {
+Check at_least(Check check, Of of = Of::sequential) {
     check.at_least = true;
-    return in_unit(std::move(check), unit);
-}
-
-Check made_of(Of of, Check check) {
     check.of = of;
     return check;
 }
 
 std::vector<Check> table() {
     using enum Of;
-    using enum Culprit;
     const char* const area_histogram = "Kolmogorov-Smirnov distance of the triangles' areas";
     const char* const quality_histogram = "Kolmogorov-Smirnov distance of the triangles' qualities";
-    const auto inverted = [](const RunResult& r) { return static_cast<double>(r.inverted); };
-    const auto unreached = [](const RunResult& r) { return static_cast<double>(r.unreached); };
-    const auto events = [](EventKind kind) {
-        return [kind](const RunResult& r) {
-            return static_cast<double>(std::ranges::count(r.events, kind, &Event::kind));
-        };
-    };
-    const auto off_first = [](const RunResult& r) { return std::abs(r.area_ratio - 1); };
     return {
-        of_run("area_ratio", "area against the exact shape's, both relative to their first", "area",
-               area_drift, {"area_exact_last"}, deviation),
-        of_run("symmetric_difference", "area between the shape and the exact one at the end",
-               "shape", last("sd_rel"), {"sd_rel_last"}, deviation),
-        of_run("symmetric_difference_half",
-               "the same at the half of a reversing flow, where errors do not cancel", "shape",
-               half("sd_rel"), {"sd_rel_half"}, deviation),
-        in_unit(of_run("inverted", "triangles that are not positive, by the exact predicate",
-                       "validity", inverted, {}, first_failure),
-                "triangles"),
-        in_unit(of_run("unreached", "vertices that did not arrive", "validity", unreached, {},
-                       worst_triangle),
-                "vertices"),
-        at_least(of_run("min_quality", "worst quality at the end", "quality", last("min_quality"),
-                        {"min_quality_last"}, worst_triangle)),
+        {.name = "area_ratio",
+         .description = "area against the exact shape's, both relative to their first",
+         .group = "area",
+         .figure = area_drift,
+         .figures = {"area_exact_last"},
+         .culprit = Culprit::deviation},
+        of_figure("symmetric_difference", "area between the shape and the exact one at the end",
+                  "shape", "sd_rel_last"),
+        of_figure("symmetric_difference_half",
+                  "the same at the half of a reversing flow, where errors do not cancel", "shape",
+                  "sd_rel_half"),
+        of_figure("inverted", "triangles that are not positive, by the exact predicate", "validity",
+                  "inverted"),
+        of_figure("unreached", "vertices that did not arrive", "validity", "unreached"),
+        at_least(
+            of_figure("min_quality", "worst quality at the end", "quality", "min_quality_last")),
         of_runs(reference, "reference_area", "area ratio, library against reference", "area",
                 area_difference),
         of_runs(reference, "reference_area_histogram", area_histogram, "histograms", area_distance),
@@ -201,44 +221,37 @@ std::vector<Check> table() {
                 quality_distance),
         of_runs(difference, "parallel_effort", "splits and collapses, parallel over sequential",
                 "effort", effort_ratio),
-        at_least(
-            made_of(worst_parallel,
-                    of_run("parallel_min_quality", "worst quality at the end, in parallel",
-                           "quality", last("min_quality"), {"min_quality_last"}, worst_triangle))),
-        at_least(made_of(worst_parallel,
-                         of_run("parallel_min_angle", "smallest angle at the end, in parallel",
-                                "quality", last("min_angle_deg"), {"min_angle_deg_last"},
-                                sharpest_corner)),
-                 "degrees"),
-        in_unit(made_of(all_parallel,
-                        of_run("parallel_unreached",
-                               "vertices that did not arrive, and triangles inverted, in parallel",
-                               "validity", lost, {}, first_failure)),
+        at_least(of_figure("parallel_min_quality", "worst quality at the end, in parallel",
+                           "quality", "min_quality_last"),
+                 worst_parallel),
+        at_least(of_figure("parallel_min_angle", "smallest angle at the end, in parallel",
+                           "quality", "min_angle_deg_last"),
+                 worst_parallel),
+        of_lost("parallel_unreached",
+                "vertices that did not arrive, and triangles inverted, in parallel", all_parallel,
                 "vertices"),
-        in_unit(of_runs(threads, "mesh_hash",
-                        "different results of 1, 2, 3 and 5 threads, by each strategy", "threads",
-                        {}),
-                "results"),
-        of_run("accuracy", "symmetric difference at the end, over the first area", "shape",
-               last("sd_rel"), {"sd_rel_last"}, deviation),
-        of_run("accuracy_half", "the same half-way, where a flow that returns cancels nothing",
-               "shape", half("sd_rel"), {"sd_rel_half"}, deviation),
-        of_run("accuracy_area", "area at the end against the first, off 1", "area", off_first, {},
-               deviation),
-        in_unit(of_run("accuracy_jagged",
-                       "largest turning angle of the interface beyond twice the exact curve's plus "
-                       "2 degrees",
-                       "shape", last("jaggedness.largest_excess_deg"), {}, turn),
-                "degrees"),
-        at_least(of_run("accuracy_angle", "smallest angle at the end", "quality",
-                        last("min_angle_deg"), {"min_angle_deg_last"}, sharpest_corner),
-                 "degrees"),
-        at_least(of_run("accuracy_median_angle",
-                        "median of the triangles' smallest angles at the end", "quality",
-                        last("median_angle_deg"), {}, sharpest_corner),
-                 "degrees"),
-        of_run("accuracy_lost", "triangles inverted and vertices that did not arrive", "validity",
-               lost, {}, first_failure),
+        of_runs(threads, "mesh_hash",
+                "different results of 1, 2, 3 and 5 threads, by each strategy", "threads", {}),
+        of_figure("accuracy", "symmetric difference at the end, over the first area", "shape",
+                  "sd_rel_last"),
+        of_figure("accuracy_half", "the same half-way, where a flow that returns cancels nothing",
+                  "shape", "sd_rel_half"),
+        {.name = "accuracy_area",
+         .description = "area at the end against the first, off 1",
+         .group = "area",
+         .figure = [](const RunResult& r) { return std::abs(r.area_ratio - 1); },
+         .culprit = Culprit::deviation},
+        of_figure("accuracy_jagged",
+                  "largest turning angle of the interface beyond twice the exact curve's plus 2 "
+                  "degrees",
+                  "shape", "jaggedness_last.largest_excess_deg"),
+        at_least(of_figure("accuracy_angle", "smallest angle at the end", "quality",
+                           "min_angle_deg_last")),
+        at_least(of_figure("accuracy_median_angle",
+                           "median of the triangles' smallest angles at the end", "quality",
+                           "median_angle_deg_last")),
+        of_lost("accuracy_lost", "triangles inverted and vertices that did not arrive", sequential,
+                "1"),
         of_fluid("fluid_velocity", "largest velocity at the end", "largest_velocity_last"),
         of_fluid("fluid_amplitude",
                  "root mean square of what a wave's height is off, over the first height",
@@ -249,42 +262,10 @@ std::vector<Check> table() {
         of_fluid("fluid_centre", "height of the centroid at the end", "centre_last"),
         of_fluid("fluid_area", "area at the end against the first, off 1", "area_drift_last"),
         of_fluid("fluid_neck", "half-width of a neck, largest relative error", "neck_error"),
-        in_unit(of_run("merges", "pieces that merge", "events", events(EventKind::merge), {}, none),
-                "merges"),
-        in_unit(of_run("splits", "pieces that fall in two", "events", events(EventKind::split), {},
-                       none),
-                "splits"),
-        in_unit(of_run("widenings", "times that a film opened farther than at first", "events",
-                       events(EventKind::widen), {}, none),
-                "widenings"),
-        at_least(made_of(
-            series, of_run("accuracy_order",
-                           "order in which the symmetric difference falls with the edge length",
-                           "order", last("sd_rel"), {"sd_rel_last"}, none))),
+        of_events("merges", "pieces that merge", EventKind::merge),
+        of_events("splits", "pieces that fall in two", EventKind::split),
+        of_events("widenings", "times that a film opened farther than at first", EventKind::widen),
     };
-}
-
-Culprit culprit_of(const std::string& figure) {
-    if (figure == "inverted") {
-        return Culprit::first_failure;
-    }
-    if (figure.starts_with("min_quality") || figure == "unreached" || figure == "held") {
-        return Culprit::worst_triangle;
-    }
-    if (figure.find("angle_deg") != std::string::npos) {
-        return Culprit::sharpest_corner;
-    }
-    return figure.starts_with("jaggedness") ? Culprit::turn : Culprit::deviation;
-}
-
-std::string unit_of(const std::string& figure) {
-    for (const scenes::Measure& measure : scenes::default_measures()) {
-        if (figure.starts_with(measure.name + "_last") ||
-            figure.starts_with(measure.name + "_half")) {
-            return measure.unit;
-        }
-    }
-    return "1";
 }
 
 } // namespace
@@ -321,15 +302,9 @@ std::shared_ptr<const Check> find_check(const std::string& name) {
 
 std::shared_ptr<const Check> check_of_figure(const std::string& figure, const std::string& name,
                                              bool at_least) {
-    return std::make_shared<const Check>(
-        Check{.name = name,
-              .description = figure + ", as the scene file limits it",
-              .group = figure,
-              .figure = [figure](const RunResult& r) { return figure_of(r, figure); },
-              .figures = {figure},
-              .culprit = culprit_of(figure),
-              .unit = unit_of(figure),
-              .at_least = at_least});
+    Check check = of_figure(name, figure + ", as the scene file limits it", figure, figure);
+    check.at_least = at_least;
+    return std::make_shared<const Check>(std::move(check));
 }
 
 } // namespace dsc::gate

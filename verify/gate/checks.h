@@ -22,7 +22,6 @@ enum class Of : std::uint8_t {
     difference,     ///< the largest difference of a parallel run from the sequential one
     reference,      ///< the mean difference from the literal method, over the starts of the case
     threads,        ///< how many results different numbers of threads give
-    series,         ///< the order, over the sizes of a series, in which the figure falls
 };
 
 /// What to look at where a limit is broken.

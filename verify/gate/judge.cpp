@@ -12,64 +12,41 @@
 
 namespace dsc::gate {
 
-namespace {
-
-// Each check of these cases once, those of scene files first.
-std::vector<const Check*> checks_of(const Cases& cases) {
-    std::vector<const Check*> checks;
+std::vector<Task> tasks_of(const Cases& cases, const std::vector<std::string>& only) {
+    std::vector<Task> tasks;
     for (const auto& c : cases) {
         for (const Held& held : c->held) {
-            const bool is_of_file =
-                std::ranges::find(all_checks(), held.check) == all_checks().end();
-            if (is_of_file &&
-                std::ranges::find(checks, held.check->name, &Check::name) == checks.end()) {
-                checks.push_back(held.check.get());
-            }
+            tasks.push_back({c.get(), &held});
         }
     }
-    for (const auto& check : all_checks()) {
-        checks.push_back(check.get());
-    }
-    return checks;
-}
-
-void check_known(const std::vector<const Check*>& checks, const std::vector<std::string>& only) {
     for (const std::string& name : only) {
-        if (std::ranges::none_of(checks, [&](const Check* one) { return one->is_called(name); })) {
+        const auto is_called = [&](const auto& check) { return check->is_called(name); };
+        const auto check_of = [](const Task& task) { return task.held->check; };
+        if (std::ranges::none_of(all_checks(), is_called) &&
+            std::ranges::none_of(tasks, is_called, check_of)) {
             throw InputError({.what = "unknown check",
                               .where = "run",
                               .value = scenes::quoted_excerpt(name),
-                              .allowed = scenes::name_list(checks, &Check::name)});
+                              .allowed = scenes::name_list(
+                                  all_checks(), [](const auto& one) { return one->name; })});
         }
     }
-}
-
-} // namespace
-
-std::vector<Task> tasks_of(const Cases& cases, const std::vector<std::string>& only) {
-    const std::vector<const Check*> checks = checks_of(cases);
-    check_known(checks, only);
-    std::vector<Task> tasks;
-    for (const Check* check : checks) {
-        if (!only.empty() && std::ranges::none_of(only, [&](const std::string& name) {
-                return check->is_called(name);
-            })) {
-            continue;
-        }
-        for (const auto& c : cases) {
-            for (const Held& held : c->held) {
-                if (held.check->name == check->name) {
-                    tasks.push_back({c.get(), &held});
-                }
-            }
-        }
-    }
+    std::erase_if(tasks, [&](const Task& task) {
+        return !only.empty() && std::ranges::none_of(only, [&](const std::string& name) {
+            return task.held->check->is_called(name);
+        });
+    });
     if (tasks.empty()) {
         throw InputError({.what = "no limit of these checks",
                           .where = "run",
                           .value = only.empty() ? "" : only.front(),
                           .allowed = "checks for which a case has a limit"});
     }
+    // Those of scene files are in no table.
+    std::ranges::stable_sort(tasks, {}, [](const Task& task) {
+        const auto place = std::ranges::find(all_checks(), task.held->check);
+        return place == all_checks().end() ? -1 : place - all_checks().begin();
+    });
     return tasks;
 }
 
@@ -81,8 +58,7 @@ std::vector<Configuration> configurations_of(const std::vector<Task>& tasks) {
     return all;
 }
 
-Row judge(const Task& task, std::span<const Outcome* const> outcomes,
-          const Strictness& strictness) {
+Row judge(const Task& task, std::span<const Outcome* const> outcomes, std::optional<double> drift) {
     Row row{.of = task.of, .check = task.held->check.get(), .limit = task.held->limit};
     const bool at_least = row.check->at_least;
     try {
@@ -94,8 +70,7 @@ Row judge(const Task& task, std::span<const Outcome* const> outcomes,
         row.run = measured.run;
         // Written so that NaN fails.
         row.pass = at_least ? measured.value >= row.limit.value : measured.value <= row.limit.value;
-        if (row.pass && strictness.drift &&
-            row.limit.worse_by(measured.value, at_least) > *strictness.drift) {
+        if (row.pass && drift && row.limit.worse_by(measured.value, at_least) > *drift) {
             row.pass = false;
             row.failure = "within its limit, but worse than the " + to_text(*row.limit.measured) +
                           " that the limit was made from";
@@ -109,7 +84,7 @@ Row judge(const Task& task, std::span<const Outcome* const> outcomes,
     return row;
 }
 
-std::vector<Row> judge_all(const std::vector<Task>& tasks, Runs& runs, const Strictness& strictness,
+std::vector<Row> judge_all(const std::vector<Task>& tasks, Runs& runs, std::optional<double> drift,
                            const std::function<void(const Row&)>& tell) {
     std::vector<Row> rows;
     std::set<const Outcome*> seen;
@@ -120,7 +95,7 @@ std::vector<Row> judge_all(const std::vector<Task>& tasks, Runs& runs, const Str
             outcomes.push_back(&runs.wait(one));
             seconds += seen.insert(outcomes.back()).second ? outcomes.back()->seconds : 0;
         }
-        rows.push_back(judge(task, outcomes, strictness));
+        rows.push_back(judge(task, outcomes, drift));
         rows.back().seconds = seconds;
         tell(rows.back());
     }

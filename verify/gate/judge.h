@@ -17,8 +17,8 @@ struct Task {
     const Held* held = nullptr;
 };
 
-/// All limits of these cases, or those of checks and groups that are named: check by check, in the
-/// order of the table, and those of scene files first. Throws InputError for a name that no check
+/// All limits of these cases, or those of checks and groups that are named: those of scene files,
+/// and then check by check, in the order of the table. Throws InputError for a name that no check
 /// has, and if nothing is left.
 [[nodiscard]] std::vector<Task> tasks_of(const Cases& cases, const std::vector<std::string>& only);
 
@@ -44,22 +44,17 @@ struct Row {
     double seconds = 0;    ///< of the runs that no row before it has looked at
 };
 
-/// What a row is held to beside its limit.
-struct Strictness {
-    /// A figure fails that is worse by more than this share than the limit's own `measured`.
-    std::optional<double> drift{};
-};
-
-/// Compares what a check measured with its limit. Never throws because of a run.
+/// Compares what a check measured with its limit. `drift`: a figure fails as well that is worse by
+/// more than this share than the limit's own `measured`. Never throws because of a run.
 [[nodiscard]] Row judge(const Task& task, std::span<const Outcome* const> outcomes,
-                        const Strictness& strictness = {});
+                        std::optional<double> drift = {});
 
 /// All runs of these tasks.
 [[nodiscard]] std::vector<Configuration> configurations_of(const std::vector<Task>& tasks);
 
 /// Judges the tasks in their order, each as soon as its runs are done.
 [[nodiscard]] std::vector<Row> judge_all(const std::vector<Task>& tasks, Runs& runs,
-                                         const Strictness& strictness,
+                                         std::optional<double> drift,
                                          const std::function<void(const Row&)>& tell);
 
 } // namespace dsc::gate

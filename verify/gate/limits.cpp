@@ -32,54 +32,6 @@ const std::array<Rule, 6>& rules() {
     return all;
 }
 
-/// The table of a limit, and behind it the defaults of its check.
-class LimitReader {
-public:
-    LimitReader(const TableReader& limits, const std::optional<TableReader>& defaults,
-                const std::string& key)
-        : own_(limits.table_if_one(key)) {
-        if (defaults && defaults->has(key)) {
-            default_ = defaults->table(key);
-        }
-        for (const auto& table : {own_, default_}) {
-            if (table) {
-                table->allow(
-                    {"at_most", "at_least", "around", "measured", "rule", "orders", "note", "at"});
-            }
-        }
-    }
-
-    /// The table that has the key; null if none does.
-    [[nodiscard]] const TableReader* with(const std::string& key) const {
-        return own_ && own_->has(key)           ? &*own_
-               : default_ && default_->has(key) ? &*default_
-                                                : nullptr;
-    }
-    [[nodiscard]] std::string text_or(const std::string& otherwise, const std::string& key) const {
-        const TableReader* table = with(key);
-        return table != nullptr ? table->text(key) : otherwise;
-    }
-
-private:
-    std::optional<TableReader> own_;
-    std::optional<TableReader> default_;
-};
-
-double read_value(const TableReader& limits, const LimitReader& reader, const Check& check) {
-    if (!limits.table_if_one(check.name)) {
-        return limits.number(check.name, any);
-    }
-    const std::string wanted = check.at_least ? "at_least" : "at_most";
-    const std::string other = check.at_least ? "at_most" : "at_least";
-    if (reader.with(other) != nullptr) {
-        limits.refuse(check.name, "a bound on the wrong side, " + other, wanted);
-    }
-    if (reader.with(wanted) == nullptr) {
-        limits.refuse(check.name, "a limit is missing", wanted + " = a number");
-    }
-    return reader.with(wanted)->number(wanted, any);
-}
-
 // A limit that was loosened, or that a measurement nearly touches, is noticed without a run.
 void check_rule(const TableReader& limits, const Check& check, const Limit& limit) {
     const double measured = limit.measured.value();
@@ -138,21 +90,39 @@ double Limit::worse_by(double figure, bool at_least) const {
 
 Limit read_limit(const TableReader& limits, const std::optional<TableReader>& defaults,
                  const Check& check) {
-    const LimitReader reader(limits, defaults, check.name);
-    Limit limit{.value = read_value(limits, reader, check), .where = limits.where(check.name)};
-    if (const TableReader* table = reader.with("around")) {
-        limit.around = table->number("around", any);
+    const toml::table empty;
+    const TableReader nothing(empty, check.name, limits.file());
+    const auto table = limits.table_if_one(check.name);
+    const TableReader own = table.value_or(nothing);
+    const TableReader common =
+        defaults && defaults->has(check.name) ? defaults->table(check.name) : nothing;
+    for (const TableReader& one : {own, common}) {
+        one.allow({"at_most", "at_least", "around", "measured", "rule", "orders", "note"});
     }
-    if (const TableReader* table = reader.with("measured")) {
-        limit.measured = table->number("measured", any);
+    const scenes::CaseReader reader(common, &own);
+    const auto number = [&](const std::string& key) {
+        return reader.has(key) ? std::optional(reader.of(key).number(key, any)) : std::nullopt;
+    };
+    const auto text = [&](const std::string& key, const std::string& otherwise) {
+        return reader.has(key) ? reader.of(key).text(key) : otherwise;
+    };
+
+    Limit limit{.where = limits.where(check.name)};
+    const std::string wanted = check.at_least ? "at_least" : "at_most";
+    const std::string other = check.at_least ? "at_most" : "at_least";
+    if (table && reader.has(other)) {
+        limits.refuse(check.name, "a bound on the wrong side, " + other, wanted);
     }
-    if (const TableReader* table = reader.with("orders")) {
-        limit.orders = table->integer("orders", 0, 10'000);
+    if (table && !reader.has(wanted)) {
+        limits.refuse(check.name, "a limit is missing", wanted + " = a number");
     }
-    limit.rule = reader.text_or(limit.rule, "rule");
+    limit.value = table ? *number(wanted) : limits.number(check.name, any);
+    limit.around = number("around");
+    limit.measured = number("measured");
+    limit.orders = reader.has("orders") ? reader.of("orders").integer("orders", 0, 10'000) : 0;
+    limit.rule = text("rule", limit.rule);
     scenes::at_key(limits, check.name, [&] { (void)find_rule(limit.rule); });
-    limit.note = reader.text_or("", "note");
-    limit.at = reader.text_or("", "at");
+    limit.note = text("note", "");
     if (limit.measured) {
         check_rule(limits, check, limit);
     } else if (find_rule(limit.rule).factor != 1) {

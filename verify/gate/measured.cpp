@@ -49,21 +49,15 @@ Measured sum_of(const Check& check, std::span<const Outcome* const> outcomes) {
 }
 
 Measured distinct_results(std::span<const Outcome* const> outcomes) {
-    struct Results {
-        std::set<std::uint64_t> hashes;
-        std::set<std::map<std::string, std::uint64_t>> counts;
-    };
-    std::map<Strategy, Results> by_strategy;
+    using Result = std::pair<std::uint64_t, std::map<std::string, std::uint64_t>>;
+    std::map<Strategy, std::set<Result>> by_strategy;
     Measured most{.run = outcomes.front()->configuration};
     for (const Outcome* outcome : outcomes) {
         const RunResult& r = finished(*outcome);
-        Results& results = by_strategy[r.strategy];
-        results.hashes.insert(r.mesh_hash);
-        results.counts.insert(r.operations);
-        const auto different =
-            static_cast<double>(std::max(results.hashes.size(), results.counts.size()));
-        if (different > most.value) {
-            most = {different, outcome->configuration};
+        std::set<Result>& results = by_strategy[r.strategy];
+        results.emplace(r.mesh_hash, r.operations);
+        if (static_cast<double>(results.size()) > most.value) {
+            most = {static_cast<double>(results.size()), outcome->configuration};
         }
     }
     return most;
@@ -79,34 +73,9 @@ Measured mean_difference(const Check& check, std::span<const Outcome* const> out
     return {2 * sum / static_cast<double>(outcomes.size()), outcomes.front()->configuration};
 }
 
-// The slope of the least-squares line through log(error) over log(size). NaN, which is worse than
-// any limit, unless there are two sizes and every error is a number above 0.
-Measured order_of(const Check& check, std::span<const Outcome* const> outcomes) {
-    const auto count = static_cast<double>(outcomes.size());
-    double x = 0;
-    double y = 0;
-    double xx = 0;
-    double xy = 0;
-    for (const Outcome* outcome : outcomes) {
-        const RunResult& r = finished(*outcome);
-        const double size = std::log(r.parameters.h);
-        const double error = std::log(check.figure(r));
-        x += size / count;
-        y += error / count;
-        xx += size * size / count;
-        xy += size * error / count;
-    }
-    const double slope = (xy - x * y) / (xx - x * x);
-    return {std::isfinite(slope) ? slope : std::numeric_limits<double>::quiet_NaN(),
-            outcomes.back()->configuration};
-}
-
 } // namespace
 
 std::string why_not(const Check& check, const Case& of) {
-    if (check.of == Of::series) {
-        return of.series.empty() ? "the case has no series of sizes" : "";
-    }
     if (check.figures.empty() && check.group != "fluid") {
         return "";
     }
@@ -149,12 +118,6 @@ std::vector<Configuration> configurations_of(const Check& check, const Case& of)
             }
         }
         return all;
-    case Of::series:
-        for (const scenes::Parameters& parameters : of.series) {
-            all.push_back(base);
-            all.back().parameters = parameters;
-        }
-        return all;
     case Of::difference: all = {base}; [[fallthrough]];
     case Of::worst_parallel:
     case Of::all_parallel: add_parallel(two_threads); return all;
@@ -183,7 +146,6 @@ Measured measure(const Check& check, std::span<const Outcome* const> outcomes) {
     case Of::difference: return worst(outcomes, 1, false, difference);
     case Of::reference: return mean_difference(check, outcomes);
     case Of::threads: return distinct_results(outcomes);
-    case Of::series: return order_of(check, outcomes);
     }
     return {};
 }

@@ -12,9 +12,9 @@
 #include "measures/jaggedness.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <regex>
 
 namespace dsc::gate {
 
@@ -108,21 +108,7 @@ std::optional<Spot> find_spot(const Mesh& mesh, Culprit culprit, const scenes::S
 // --- what is written ----------------------------------------------------------------------------
 
 std::string file_name(const Row& row) {
-    std::string name = row.check->name + '_' + row.of->name;
-    std::ranges::replace_if(
-        name,
-        [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-' && c != '_'; },
-        '-');
-    return name;
-}
-
-void draw(const Mesh& mesh, const Spot& spot, double edge_length, const std::string& title,
-          const std::string& path) {
-    const double reach = edges_around * edge_length;
-    write_svg(mesh, path,
-              {.view = Rectangle{spot.at.array() - reach, spot.at.array() + reach},
-               .title = title,
-               .marks = {{spot.at.x(), spot.at.y(), spot.what}}});
+    return std::regex_replace(row.check->name + '_' + row.of->name, std::regex("[^\\w.-]"), "-");
 }
 
 // The run on the command line, with the settings that are not those of the scene.
@@ -186,8 +172,11 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
             place.at = spot->at;
             place.time = time;
             place.picture = path + ".svg";
-            draw(mesh, *spot, run.parameters.h, row.check->name + ", " + row.of->name,
-                 place.picture);
+            const double reach = edges_around * run.parameters.h;
+            write_svg(mesh, place.picture,
+                      {.view = Rectangle{spot->at.array() - reach, spot->at.array() + reach},
+                       .title = row.check->name + ", " + row.of->name,
+                       .marks = {{spot->at.x(), spot->at.y(), spot->what}}});
         }
     };
     (void)scenes::run_scene(scene, run.parameters, options);

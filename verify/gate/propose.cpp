@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <string_view>
 
 namespace dsc::gate {
@@ -44,8 +43,7 @@ bool is_count(const Check& check) {
 // What sequential runs in other orders say about the check: parallel runs are held to what these
 // do.
 bool is_of_orders(const Check& check) {
-    return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::series &&
-           check.of != Of::reference;
+    return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::reference;
 }
 
 Limit new_limit(const Check& check, int orders) {
@@ -161,10 +159,6 @@ bool is_of_no_event(const Held& held, const std::vector<const Outcome*>& outcome
 }
 
 } // namespace
-
-double Band::ratio() const {
-    return median == 0 ? std::numeric_limits<double>::quiet_NaN() : limit.value / median;
-}
 
 std::vector<Band> propose(const Cases& cases, int orders, int jobs) {
     std::vector<std::pair<const Case*, Held>> all;

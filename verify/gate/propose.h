@@ -17,10 +17,6 @@ struct Band {
     double least = 0;
     double most = 0;
     Limit limit{}; ///< as it is proposed
-
-    [[nodiscard]] double spread() const { return most - least; }
-    /// Of the limit to the median: what a run has room for. NaN where the median is 0.
-    [[nodiscard]] double ratio() const;
 };
 
 /// Measures the limits that the cases have of their own and those that they lack; a case that has

@@ -17,13 +17,20 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 using scenes::Histogram;
 
-constexpr int check_width = 36;
+void print_columns(std::ostream& out, const std::string& check, const std::string& scene,
+                   std::initializer_list<std::string> numbers) {
+    out << std::left << std::setw(36) << check << std::setw(22) << scene << std::right;
+    for (const std::string& number : numbers) {
+        out << std::setw(13) << number;
+    }
+}
 
 std::string measured_text(const Row& row) { return row.measured ? few_digits(*row.measured) : "-"; }
 
-std::string limit_text(const Row& row) {
-    return (row.check->at_least ? ">= " : "<= ") + few_digits(row.limit.value);
+std::string limit_text(const Check& check, const Limit& limit) {
+    return (check.at_least ? ">= " : "<= ") + few_digits(limit.value);
 }
+std::string limit_text(const Row& row) { return limit_text(*row.check, row.limit); }
 
 // JSON has no NaN.
 OrderedJson finite(const std::optional<double>& value) {
@@ -82,15 +89,13 @@ OrderedJson place_json(const Place& place) {
 } // namespace
 
 void print_heading(std::ostream& out) {
-    out << std::left << std::setw(check_width) << "check" << std::setw(22) << "scene" << std::right
-        << std::setw(12) << "measured" << std::setw(14) << "limit"
-        << "  verdict\n";
+    print_columns(out, "check", "scene", {"measured", "limit"});
+    out << "  verdict\n";
 }
 
 void print_row(std::ostream& out, const Row& row) {
-    out << std::left << std::setw(check_width) << row.check->name << std::setw(22) << row.of->name
-        << std::right << std::setw(12) << measured_text(row) << std::setw(14) << limit_text(row)
-        << "  " << (row.pass ? "pass" : "FAIL");
+    print_columns(out, row.check->name, row.of->name, {measured_text(row), limit_text(row)});
+    out << (row.pass ? "  pass" : "  FAIL");
     if (!row.failure.empty()) {
         out << ": " << row.failure;
     }
@@ -102,19 +107,15 @@ void print_failure(std::ostream& out, const Row& row) {
 }
 
 void print_bands(std::ostream& out, const std::vector<Band>& bands) {
-    const auto columns = [&](const std::string& check, const std::string& scene,
-                             const std::string& median, const std::string& spread,
-                             const std::string& limit, const std::string& ratio) {
-        out << std::left << std::setw(check_width) << check << std::setw(22) << scene << std::right
-            << std::setw(12) << median << std::setw(12) << spread << std::setw(14) << limit
-            << std::setw(10) << ratio << '\n';
-    };
-    columns("check", "scene", "median", "spread", "limit", "ratio");
+    print_columns(out, "check", "scene", {"median", "spread", "limit", "ratio"});
     for (const Band& band : bands) {
-        columns(band.check->name, band.of->name, few_digits(band.median), few_digits(band.spread()),
-                (band.check->at_least ? ">= " : "<= ") + few_digits(band.limit.value),
-                std::isfinite(band.ratio()) ? few_digits(band.ratio()) : "-");
+        out << '\n';
+        print_columns(out, band.check->name, band.of->name,
+                      {few_digits(band.median), few_digits(band.most - band.least),
+                       limit_text(*band.check, band.limit),
+                       band.median == 0 ? "-" : few_digits(band.limit.value / band.median)});
     }
+    out << '\n';
 }
 
 std::string to_json(const std::vector<Row>& rows, const std::vector<std::string>& suites,

@@ -17,7 +17,8 @@ void print_row(std::ostream& out, const Row& row);
 /// Of a limit that is broken: why it stands, where it is broken, and how to see it again.
 void print_failure(std::ostream& out, const Row& row);
 
-/// Median, spread, limit and their ratio of each proposed limit.
+/// Median and spread of each proposed limit, and the limit over the median: what a run has room
+/// for.
 void print_bands(std::ostream& out, const std::vector<Band>& bands);
 
 /// `suites` are named in it; `cases` are all of theirs, for what was not run.

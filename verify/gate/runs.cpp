@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "runs.h"
 
-#include <chrono>
+#include "scenes/run/clock.h"
 
 namespace dsc::gate {
 
@@ -41,41 +41,23 @@ Runs::Runs(const std::vector<Configuration>& configurations, int jobs) {
     }
 }
 
-Runs::~Runs() {
-    {
-        const std::lock_guard lock(mutex_);
-        next_ = queue_.size();
-    }
-    for (std::thread& worker : workers_) {
-        worker.join();
-    }
-}
+Runs::~Runs() { next_ = queue_.size(); }
 
 void Runs::work() {
-    for (;;) {
-        Outcome* outcome = nullptr;
-        {
-            const std::lock_guard lock(mutex_);
-            if (next_ == queue_.size()) {
-                return;
-            }
-            outcome = queue_[next_++];
-        }
-        const Configuration& what = outcome->configuration;
-        const auto start = std::chrono::steady_clock::now();
-        scenes::RunResult result;
-        std::exception_ptr error;
+    for (std::size_t i = next_++; i < queue_.size(); i = next_++) {
+        Outcome outcome{.configuration = queue_[i]->configuration};
+        const Configuration& what = outcome.configuration;
+        const scenes::Stopwatch watch;
         try {
-            result = scenes::run_scene(what.of->file.scene, what.parameters, what.options());
+            outcome.result =
+                scenes::run_scene(what.of->file.scene, what.parameters, what.options());
         } catch (...) {
-            error = std::current_exception();
+            outcome.error = std::current_exception();
         }
+        outcome.seconds = watch.wall();
+        outcome.is_done = true;
         const std::lock_guard lock(mutex_);
-        outcome->result = std::move(result);
-        outcome->error = error;
-        outcome->seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        outcome->is_done = true;
+        *queue_[i] = std::move(outcome);
         done_.notify_all();
     }
 }

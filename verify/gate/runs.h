@@ -7,6 +7,7 @@
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
 
+#include <atomic>
 #include <condition_variable>
 #include <exception>
 #include <map>
@@ -31,7 +32,6 @@ struct Case {
     scenes::SceneFile file;
     std::string path{}; ///< of the scene file; empty: a scene of the catalogue
     scenes::Parameters parameters{};
-    std::vector<scenes::Parameters> series{};   ///< over which an order is fitted
     std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
     std::vector<std::uint32_t> threads{};       ///< of these; empty: as each check has them
     int starts = 1; ///< in which library and reference are compared: edges longer by 0.2 % each
@@ -81,10 +81,10 @@ private:
 
     std::map<std::string, Outcome> outcomes_;
     std::vector<Outcome*> queue_;
-    std::size_t next_ = 0;
+    std::atomic<std::size_t> next_ = 0;
     std::mutex mutex_;
     std::condition_variable done_;
-    std::vector<std::thread> workers_;
+    std::vector<std::jthread> workers_; ///< which the destructor waits for
 };
 
 } // namespace dsc::gate

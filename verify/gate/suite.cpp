@@ -21,15 +21,21 @@ using scenes::CaseSize;
 using scenes::Strategy;
 using scenes::TableReader;
 
-std::string read_text(const std::string& path) {
+// A file that cannot be read is bad usage.
+template <class Read>
+auto readable(const std::string& path, Read read) {
     try {
-        return scenes::read_text_file(path);
+        return read();
     } catch (const FileError& error) {
         throw InputError({.what = error.what(),
                           .where = "run",
                           .value = "'" + path + "'",
                           .allowed = "a suite or a scene file that can be read"});
     }
+}
+
+std::string read_text(const std::string& path) {
+    return readable(path, [&] { return scenes::read_text_file(path); });
 }
 
 /// What holds for all cases of a suite.
@@ -108,20 +114,6 @@ void read_strategies(const CaseReader& reader, Case& c) {
     }
 }
 
-void read_series(const CaseReader& reader, Case& c) {
-    if (!reader.has("series")) {
-        return;
-    }
-    for (const TableReader& table : reader.of("series").tables("series")) {
-        c.series.push_back(c.parameters);
-        for (const std::string& key : table.keys()) {
-            at_key(table, key, [&] {
-                scenes::set_parameter(c.series.back(), c.file.scene.keys, key, table.setting(key));
-            });
-        }
-    }
-}
-
 // What dsc_scene would refuse, before the first of many runs.
 void check_usage(const CaseReader& reader, const Case& c) {
     const scenes::Scene& scene = c.file.scene;
@@ -164,7 +156,6 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
             if (scenes.size() == 1 && sizes.size() == 1) {
                 sized.table = table;
             }
-            read_series(reader, sized);
             read_held(reader, common, sized);
             const auto made = std::make_shared<const Case>(std::move(sized));
             check_usage(reader, *made);
@@ -191,22 +182,6 @@ void read_case(const TableReader& whole, std::size_t number, const Common& commo
 
 std::optional<TableReader> table_of(const TableReader& top, const std::string& key) {
     return top.has(key) ? std::optional(top.table(key)) : std::nullopt;
-}
-
-// Limits name where they were measured; so that none names what is not there.
-void check_places(const TableReader& top, const Cases& cases) {
-    const auto places = table_of(top, "measured_at");
-    for (const auto& c : cases) {
-        for (const Held& held : c->held) {
-            const std::string& at = held.limit.at;
-            if (!at.empty() && !(places && places->has(at))) {
-                throw InputError({.what = "no such entry of [measured_at]",
-                                  .where = held.limit.where,
-                                  .value = "'" + at + "'",
-                                  .allowed = "one that the suite has"});
-            }
-        }
-    }
 }
 
 } // namespace
@@ -242,7 +217,6 @@ Cases read_suite_text(const std::string& text, const std::filesystem::path& path
                           .value = "no [[case]]",
                           .allowed = "at least one [[case]]"});
     }
-    check_places(top, cases);
     check_names(cases);
     return cases;
 }
@@ -252,11 +226,13 @@ Cases read_suite(const std::filesystem::path& path) {
 }
 
 Case case_of_scene(const std::string& scene) {
-    const bool is_file = scenes::is_scene_file(scene);
-    Case c{.name = {},
-           .file = is_file ? scenes::read_scene_file(scene)
-                           : scenes::SceneFile{.scene = scenes::find_scene(scene)},
-           .path = is_file ? scene : ""};
+    Case c{.name = {}, .file = {}};
+    if (scenes::is_scene_file(scene)) {
+        c.file = readable(scene, [&] { return scenes::read_scene_file(scene); });
+        c.path = scene;
+    } else {
+        c.file.scene = scenes::find_scene(scene);
+    }
     c.name = c.file.scene.name;
     c.parameters = c.file.scene.defaults;
     c.strategies = scenes::parallel_strategies();
@@ -278,6 +254,12 @@ Case case_of_file(const std::string& path) {
         if (std::isfinite(limit.most)) {
             add(has_both ? ".most" : "", limit.most, false);
         }
+    }
+    if (c.held.empty()) {
+        throw InputError({.what = "a scene without limits",
+                          .where = path,
+                          .value = "no [limits]",
+                          .allowed = "[limits] in the file, or a suite with a case of it"});
     }
     return c;
 }

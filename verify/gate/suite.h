@@ -17,22 +17,20 @@
 //     h = 0.01                    # the edge length, unless it is the scene's own; or a list: a
 //                                 # case for each, called "mine h:0.01"
 //     set = { insertion = "linear" }           # keys of `dsc_scene run --set`
-//     series = [{ h = 0.02 }, { h = 0.01 }]    # settings beside `set`, for accuracy_order
 //     starts = 4                  # for checks of the reference: the mean over so many, unless 1
 //     strategies = ["cells"]      # that are compared with `sequential`; unless given, all parallel
 //                                 # ones
 //     threads = [1, 2]            # of these; unless given, 2, and for mesh_hash 1, 2, 3 and 5
 //
 //     [case.limits]
-//     area_ratio = 5e-4           # at most, or for qualities, angles and orders, at least; or
+//     area_ratio = 5e-4           # at most, or for qualities and angles at least; or
 //     min_quality = { at_least = 0.26, measured = 0.3, rule = "a tenth below", orders = 51 }
 //     fluid_centre = { around = 1.0819, at_most = 5e-4 }    # a published figure, to so much
 //
 // The rules: "required" (unless given), "half as much again", "a tenth above", "a tenth below",
 // "less 15 %", and "kept" from a measurement that was better. A limit that does not stand in that
 // ratio to `measured` is refused. `orders` says that it was the worst of so many shuffled orders of
-// the interface, `note` is for people, and `at` an entry of [measured_at]: commit, date, machine
-// and compiler, as `dsc_verify propose --update` writes them.
+// the interface, and `note` is for people; `dsc_verify propose --update` writes all but the note.
 #pragma once
 
 #include "checks.h"
@@ -55,7 +53,7 @@ using Cases = std::vector<std::shared_ptr<const Case>>;
                                     bool needs_limits = true);
 
 /// A scene file, held to its [limits]; the checks are named after the keys: `limits.sd_rel_last`,
-/// or `limits.area_ratio.least` where both bounds are given.
+/// or `limits.area_ratio.least` where both bounds are given. Throws InputError if it has none.
 [[nodiscard]] Case case_of_file(const std::string& path);
 
 /// The scene as it is, held to nothing yet: `scene` is of the catalogue, or a file.

@@ -10,12 +10,9 @@
 
 namespace dsc::gate {
 
-/// The text of a suite with these limits, and where they were measured under [measured_at]. Throws
-/// InputError if a case shares its [[case]] with another, and if the new text is no suite.
+/// The text of a suite with these limits. Throws InputError if a case shares its [[case]] with
+/// another, and if the new text is no suite.
 [[nodiscard]] std::string with_limits(const std::string& text, const std::filesystem::path& path,
                                       const std::vector<Band>& bands);
-
-/// A suite of one case, without limits; `scene` is of the catalogue, or a file.
-[[nodiscard]] std::string new_suite(const std::string& scene);
 
 } // namespace dsc::gate

@@ -180,19 +180,3 @@ def modules(root, names):
                 problems += [f"lib/{module}: {name} includes {other}" for other in included
                              if not other.startswith(f"{module}/") and other not in allowed]
     return problems
-
-
-def recipes(page, file, root):
-    """In a row of a table that names a recipe, the other code is in that recipe."""
-    problems = []
-    for number, spans in page.rows:
-        recipe = next((span for span in spans if span.startswith("verify/recipes/")), None)
-        if recipe is None:
-            continue
-        with open(os.path.join(root, recipe), encoding="utf-8") as stream:
-            source = stream.read()
-        for span in spans:
-            pattern = re.escape(span).replace(re.escape("..."), ".*")
-            if span != recipe and not re.search(pattern, source, re.DOTALL):
-                problems.append(f"{file}:{number}: {recipe} does not hold {span}")
-    return problems

@@ -8,7 +8,6 @@
 #include "flows/exact.h"
 #include "flows/velocity.h"
 #include "measures/interface_outlines.h"
-#include "measures/mesh_quality.h"
 #include "shapes/shapes.h"
 
 #include <cmath>
@@ -34,12 +33,7 @@ HardResult turned(const Outline& outline, double h, const std::string& asked, do
                   .exact = {outline},
                   .allowed = allowed,
                   .happened = "turns once and keeps its shape",
-                  .thorough_every = 5},
-                 [](const Complex<double>& complex, HardResult& result) {
-                     const auto quality = scenes::measure_quality(complex);
-                     result.values = {{"smallest angle at the end, degrees", quality.min_angle_deg},
-                                      {"triangles", static_cast<double>(complex.triangle_count())}};
-                 });
+                  .thorough_every = 5});
 }
 
 const double tenth_of_a_degree = 0.1 * std::numbers::pi / 180;
@@ -80,18 +74,6 @@ HardResult flat_vertices_case() {
     }
     return turned(outline, 0.05, "a square whose sides have vertices 1e-13 off them, turned once",
                   1e-6);
-}
-
-HardResult thin_box_case() {
-    HardResult result;
-    result.asked = "a needle along an axis, whose box is thinner than an edge";
-    const double width = 0.6 * std::tan(tenth_of_a_degree);
-    const std::vector<Outline> needle{{{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.5 + width}}};
-    expect_input_error(
-        result, [&] { (void)scene_of<double>(unit_square, needle, 0.05); },
-        "an edge length of at most");
-    result.happened = "refused by a typed error; the same needle at an angle is taken";
-    return result;
 }
 
 // By ulps of the coordinate, or by a distance.
@@ -142,10 +124,8 @@ HardResult grid_case(const Perturbation& by, const std::string& how) {
         }
     }
     note_error(result, shape_error<double>(scene.complex, first), 1e-11);
-    result.values = {{"flips, all steps", static_cast<double>(flips)}};
     result.happened =
         text(static_cast<double>(flips)) + " flips in 24 steps: ties do not flip back and forth";
-    expect(result, going, "the run ended early");
     // Each of the 24 vertices passes four grid squares, with some flips in each.
     expect(result, flips < 6000, text(static_cast<double>(flips)) + " flips");
     expect_sound(result, Targets::reachable);
@@ -165,14 +145,13 @@ HardResult circle_case(const Perturbation& by, const std::string& how) {
 } // namespace
 
 void append_degenerate(std::vector<HardCase>& cases) {
-    cases.push_back({"needle", false, needle_case});
-    cases.push_back({"cap", false, cap_case});
-    cases.push_back({"needle-thin-box", false, thin_box_case});
-    cases.push_back({"flat-vertices", false, flat_vertices_case});
+    cases.push_back({"needle", needle_case});
+    cases.push_back({"cap", cap_case});
+    cases.push_back({"flat-vertices", flat_vertices_case});
     const auto add = [&](const std::string& suffix, const Perturbation& by,
                          const std::string& how) {
-        cases.push_back({"grid-" + suffix, false, [=] { return grid_case(by, how); }});
-        cases.push_back({"cocircular-" + suffix, false, [=] { return circle_case(by, how); }});
+        cases.push_back({"grid-" + suffix, [=] { return grid_case(by, how); }});
+        cases.push_back({"cocircular-" + suffix, [=] { return circle_case(by, how); }});
     };
     add("exact", {}, "exactly");
     for (const int ulps : {1, 2, 10}) {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <ostream>
+#include <regex>
 
 namespace dsc::hard {
 
@@ -28,17 +28,9 @@ std::vector<hard::HardCase> cases() {
 
 // GoogleTest takes letters, digits and underscores only; the minus of an exponent is a word.
 std::string test_name(const testing::TestParamInfo<hard::HardCase>& info) {
-    std::string name;
-    for (const char c : info.param.name) {
-        const std::size_t end = name.size();
-        const bool is_exponent = c == '-' && end > 1 &&
-                                 (name[end - 1] == 'e' || name[end - 1] == '_') &&
-                                 std::isdigit(static_cast<unsigned char>(name[end - 2])) != 0;
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? std::string(1, c)
-                : is_exponent                                    ? "minus"
-                                                                 : "_";
-    }
-    return name;
+    const std::regex exponent("(\\d[e^])-");
+    const std::string name = std::regex_replace(info.param.name, exponent, "$1minus");
+    return std::regex_replace(name, std::regex("[^A-Za-z0-9]"), "_");
 }
 
 class Hard : public testing::TestWithParam<hard::HardCase> {};

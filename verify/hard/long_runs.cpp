@@ -33,21 +33,13 @@ HardResult zalesak_case(int revolutions) {
     bool going = true;
     for (int turn = 1; turn <= revolutions && going; ++turn) {
         going = watch.run(rotation, turn - 1, 1.0 / steps, steps);
-        if (turn == 1 || turn == 10 || turn == 100) {
-            result.error = shape_error<double>(scene.complex, outlines);
-            result.values.push_back(
-                {"error after " + std::to_string(turn) + " revolutions", *result.error});
-        }
     }
     // RK4's own: the angle lags by (2 pi / 628)^4 / 120 of what was turned.
     const double lag =
         std::pow(2 * std::numbers::pi / steps, 4) / 120 * 2 * std::numbers::pi * revolutions;
     const double cost = lag * 0.4 * scenes::perimeter(outlines) / scenes::signed_area(outlines);
-    const Value of_lag{"what RK4's own lag costs", cost};
-    result.values.push_back(of_lag);
     result.happened = "the error grows in proportion to time, as RK4's own lag does";
-    expect(result, going, "the run ended early");
-    note_error(result, *result.error, 2 * cost + 1e-9);
+    note_error(result, shape_error<double>(scene.complex, outlines), 2 * cost + 1e-9);
     expect_sound(result, Targets::reachable);
     return result;
 }
@@ -71,7 +63,6 @@ HardResult slow_case(std::uint64_t steps) {
                                .exact = exact,
                                .allowed = allowed,
                                .thorough_every = static_cast<int>(steps / 100)});
-    result.values = {{"allowed: a rounding of half an epsilon in each step", allowed}};
     result.happened = "the shape drifts by rounding alone: " + text(*result.error / allowed) +
                       " of what one rounding a step adds up to at most";
     return result;
@@ -80,10 +71,10 @@ HardResult slow_case(std::uint64_t steps) {
 } // namespace
 
 void append_long_runs(std::vector<HardCase>& cases) {
-    cases.push_back({"zalesak-10", false, [] { return zalesak_case(10); }});
-    cases.push_back({"zalesak-100", true, [] { return zalesak_case(100); }});
-    cases.push_back({"slow-20000", false, [] { return slow_case(20000); }});
-    cases.push_back({"slow-1000000", true, [] { return slow_case(1000000); }});
+    cases.push_back({"zalesak-10", [] { return zalesak_case(10); }});
+    cases.push_back({"zalesak-100", [] { return zalesak_case(100); }, true});
+    cases.push_back({"slow-20000", [] { return slow_case(20000); }});
+    cases.push_back({"slow-1000000", [] { return slow_case(1000000); }, true});
 }
 
 const std::vector<HardCase>& all_cases() {

@@ -50,10 +50,6 @@ std::string to_json(const std::vector<Row>& rows) {
     Json cases = Json::array();
     for (const Row& row : rows) {
         const HardResult& r = row.result;
-        Json values = Json::object();
-        for (const Value& value : r.values) {
-            values[value.name] = finite(value.value);
-        }
         cases.push_back({{"name", row.one->name},
                          {"asked", r.asked},
                          {"holds", r.holds()},
@@ -70,9 +66,7 @@ std::string to_json(const std::vector<Row>& rows) {
                          {"overcounted", r.overcounted},
                          {"gave_up", r.gave_up},
                          {"error_message", r.error_message},
-                         {"error", finite(r.error)},
-                         {"error_is", r.error_is},
-                         {"values", values},
+                         {"shape_error", finite(r.error)},
                          {"seconds", row.seconds}});
     }
     return cases.dump(1) + "\n";

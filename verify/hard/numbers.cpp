@@ -61,7 +61,6 @@ HardResult strange_case(const Strange& strange) {
         going = watch.step(is_asked ? test::pointwise(strange.field) : to_the_right(), i * dt, dt);
         moves += watch.last().operations.moves;
     }
-    expect(result, going, "the run ended early");
     expect(result, result.held >= strange.least_held,
            std::to_string(result.held) + " held, at least " + std::to_string(strange.least_held) +
                " expected");
@@ -78,7 +77,6 @@ HardResult strange_case(const Strange& strange) {
     } else {
         expect(result, moves > 0, "nothing moved");
     }
-    result.values = {{"vertices moved, all steps", static_cast<double>(moves)}};
     result.happened = strange.happened;
     expect_sound(result, Targets::may_be_missed);
     return result;
@@ -107,34 +105,18 @@ HardResult denormal_coordinates() {
         }
     }
     const std::vector<Outline> outlines{outline};
-    HardResult result = carry(
-        {.asked = "an outline with denormal coordinates in a domain about the origin; a domain of "
-                  "denormal size",
-         .outlines = outlines,
-         .h = circle_h,
-         .flow = test::pointwise(
-             [](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
-         .dt = dt,
-         .steps = step_count,
-         .exact = scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines,
-         .allowed = 1e-10,
-         .happened = "as with zeros; a domain of that size is refused by a typed error",
-         .domain = domain,
-         .thorough_every = 1});
-    const double tiny = 1e-310;
-    expect_input_error(
-        result,
-        [&] {
-            (void)scene_of<double>({{0, 0}, {tiny, tiny}}, std::vector<Outline>{}, tiny / 10);
-        },
-        "out of range");
-    expect_input_error(
-        result,
-        [&] {
-            (void)choose_frame({0, 0}, {tiny, tiny});
-        },
-        "1e-290");
-    return result;
+    return carry({.asked = "an outline with denormal coordinates in a domain about the origin",
+                  .outlines = outlines,
+                  .h = circle_h,
+                  .flow = test::pointwise(
+                      [](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
+                  .dt = dt,
+                  .steps = step_count,
+                  .exact = scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines,
+                  .allowed = 1e-10,
+                  .happened = "as with zeros",
+                  .domain = domain,
+                  .thorough_every = 1});
 }
 
 // One vertex asks for more than any number of sub-steps.
@@ -148,10 +130,9 @@ HardResult too_fast(double speed) {
     const auto field = test::pointwise([speed](const Point<double>& p, double) {
         return Point<double>(p.x() > 0.55 ? speed * p.x() : 1.0, 0);
     });
-    const bool going = watch.step(field, 0, dt);
+    watch.step(field, 0, dt);
     const StepReport& report = watch.last();
-    expect(result, !going && report.gave_up == GiveUp::too_many_sub_steps,
-           "the step did not give up");
+    expect(result, report.gave_up == GiveUp::too_many_sub_steps, "the step did not give up");
     expect(result, report.unreached == report.interface_vertices,
            "not every vertex was counted as left behind");
     double rightmost = 0;
@@ -166,7 +147,7 @@ HardResult too_fast(double speed) {
     expect(result, std::abs(report.speed / (speed * rightmost) - 1) < 1e-12,
            "the speed is not that of the fastest vertex");
     result.happened = "gives up before the first sub-step and says where: all vertices counted";
-    expect_sound(result, Targets::may_be_missed);
+    expect_sound(result, Targets::too_far);
     return result;
 }
 
@@ -174,7 +155,7 @@ HardResult too_fast(double speed) {
 
 void append_numbers(std::vector<HardCase>& cases) {
     const auto add = [&](const std::string& name, const Strange& strange) {
-        cases.push_back({name, false, [strange] { return strange_case(strange); }});
+        cases.push_back({name, [strange] { return strange_case(strange); }});
     };
     const std::uint64_t all = disc().front().size();
     add("denormal-velocity",
@@ -187,7 +168,7 @@ void append_numbers(std::vector<HardCase>& cases) {
          .field = [](const Point<double>&, double) { return Point<double>(1, denormal); },
          .all_go = true,
          .happened = "moves as with a component of zero"});
-    cases.push_back({"denormal-coordinates", false, denormal_coordinates});
+    cases.push_back({"denormal-coordinates", denormal_coordinates});
     for (const auto& [name, says, bad] :
          {std::tuple{"nan", "NaN", nan}, std::tuple{"infinite", "infinite", infinity}}) {
         const std::string begin = std::string("a velocity that is ") + says;
@@ -219,7 +200,7 @@ void append_numbers(std::vector<HardCase>& cases) {
              .happened = "all vertices are held in that step, as their targets are not finite"});
     }
     for (const double speed : {1e9, 1e150}) {
-        cases.push_back({speed == 1e9 ? "too-fast-1e9" : "too-fast-1e150", false,
+        cases.push_back({speed == 1e9 ? "too-fast-1e9" : "too-fast-1e150",
                          [speed] { return too_fast(speed); }});
     }
 }

@@ -11,15 +11,9 @@
 
 namespace dsc::hard {
 
-struct Value {
-    std::string name; ///< with its unit
-    double value = 0;
-};
-
 struct HardResult {
-    std::string asked;         ///< what the case asks of the library, in a sentence
-    std::string happened;      ///< what it did, in a sentence
-    std::vector<Value> values; ///< what else was measured
+    std::string asked;    ///< what the case asks of the library, in a sentence
+    std::string happened; ///< what it did, in a sentence
     std::uint64_t steps = 0;
     std::uint64_t sub_steps = 0;
     std::uint32_t most_sub_steps = 0; ///< of one step
@@ -28,11 +22,10 @@ struct HardResult {
     std::uint64_t held = 0;      ///< of these, for a velocity or a target that is not finite
     std::uint64_t missed = 0;    ///< vertices that an independent look finds not at their target
     std::uint64_t uncounted = 0; ///< of these, beyond what the library counts in the same sub-step
-    std::uint64_t overcounted = 0; ///< counted by the library, and at their target all the same
-    std::string gave_up;           ///< empty, or why and when a step gave up
-    std::string error_message;     ///< empty, or the typed error that stopped the case
-    std::optional<double> error;   ///< against the exact shape; its meaning stands in `error_is`
-    std::string error_is;
+    std::uint64_t overcounted = 0;     ///< counted by the library, and at their target all the same
+    std::string gave_up;               ///< empty, or why and when a step gave up
+    std::string error_message;         ///< empty, or the typed error that stopped the case
+    std::optional<double> error;       ///< `shape_error` at the end, the worst of several
     std::vector<std::string> failures; ///< what was expected and is not so; empty: the case holds
 
     [[nodiscard]] bool holds() const { return failures.empty(); }
@@ -48,8 +41,8 @@ inline void expect(HardResult& result, bool good, const std::string& sentence) {
 /// One row of the table.
 struct HardCase {
     std::string name;
-    bool is_long = false; ///< beyond what the ordinary run of the tests has time for
     std::function<HardResult()> run;
+    bool is_long = false; ///< beyond what the ordinary run of the tests has time for
 };
 
 /// All cases, in the order of the table.

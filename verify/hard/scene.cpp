@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene.h"
 
-#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/quality/measures.h"
 #include "measures/interface_outlines.h"
@@ -84,13 +83,6 @@ double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline
            scenes::signed_area(exact);
 }
 
-double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact) {
-    const std::vector<scenes::Outline> outlines{exact};
-    return scenes::symmetric_difference(scenes::interface_outlines(complex, {.phase = phase}),
-                                        outlines) /
-           scenes::signed_area(outlines);
-}
-
 std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
                                     const std::function<Point<double>(const Point<double>&)>& map) {
     std::vector<scenes::Outline> result(outlines.begin(), outlines.end());
@@ -114,20 +106,6 @@ std::string text(double value) {
     char buffer[32];
     std::snprintf(buffer, sizeof buffer, "%.3g", value);
     return buffer;
-}
-
-void expect_input_error(HardResult& result, const std::function<void()>& build,
-                        const std::string& words) {
-    try {
-        build();
-        result.failures.push_back("no InputError; expected one that says '" + words + "'");
-    } catch (const InputError& error) {
-        result.error_message = error.what();
-        expect(result, result.error_message.find(words) != std::string::npos,
-               "the error does not say '" + words + "': " + result.error_message);
-        expect(result, !error.where().empty() && !error.value().empty() && !error.allowed().empty(),
-               "the error does not say where, the value, or what is allowed");
-    }
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

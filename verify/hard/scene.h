@@ -42,11 +42,6 @@ Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
 /// Symmetric difference of the interface with the exact outlines, over the area of these.
 template <class Real>
 double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact);
-/// Of one phase.
-double shape_error(const Complex<double>& complex, Phase phase, const scenes::Outline& exact);
-/// What results call it.
-inline constexpr const char* shape_error_words =
-    "symmetric difference to the exact shape, relative";
 
 /// Each point of the outlines through a function.
 std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
@@ -57,10 +52,5 @@ double domain_area(const Complex<double>& complex);
 
 /// A number as in a sentence: "1.2e-05".
 std::string text(double value);
-
-/// Runs `build` and expects an InputError that names the place, the value and what is allowed, and
-/// says `words`. Notes its sentence.
-void expect_input_error(HardResult& result, const std::function<void()>& build,
-                        const std::string& words);
 
 } // namespace dsc::hard

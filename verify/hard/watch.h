@@ -11,36 +11,12 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace dsc::hard {
 
-/// Sees for itself where the vertices are before and after each movement. RK4 and functions of
-/// positions and time only.
+/// Sees for itself where the vertices are before and after each movement.
 template <class Real>
-class WatchingStage final : public Stage<Real> {
-public:
-    /// `domain`: vertices on its sides are expected to slide, corners to stay. `result` takes the
-    /// sums of what was missed.
-    WatchingStage(const Rectangle& domain, HardResult& result) : domain_(domain), result_(result) {}
-
-    /// The velocity of the steps that follow; must outlive them.
-    void follow(const Velocity<Real>& velocity) { velocity_ = &velocity; }
-
-    void begin(Complex<Real>& complex, const Options<Real>& options) override;
-    /// Notes where the vertices are when upkeep is over.
-    [[nodiscard]] std::optional<Pass<Real>> pass() override;
-    /// Compares where they are now with where they should be.
-    void run(const Between<Real>& between) override;
-
-private:
-    [[nodiscard]] Point<double> target_of(const Point<double>& from, double time, double dt) const;
-
-    Rectangle domain_;
-    HardResult& result_;
-    const Velocity<Real>* velocity_ = nullptr;
-    VertexAttribute<Point<Real>>* before_ = nullptr;
-};
+class WatchingStage;
 
 struct WatchOptions {
     Rectangle domain;
@@ -95,12 +71,12 @@ struct Carried {
 carry(const Carried& carried,
       const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
 
-/// Notes the error against the exact shape; more than is allowed fails.
+/// Notes the error against the exact shape, the worst of several; more than is allowed fails.
 void note_error(HardResult& result, double error, double allowed);
 
 /// The faults that no hard case may have: triangles inverted, vertices lost without being counted.
-/// `reachable`: no vertex may be left behind at all, and no step may give up.
-enum class Targets { reachable, may_be_missed };
+/// `reachable`: no vertex may be left behind at all. `too_far`: a step may give up.
+enum class Targets { reachable, may_be_missed, too_far };
 void expect_sound(HardResult& result, Targets targets);
 
 } // namespace dsc::hard

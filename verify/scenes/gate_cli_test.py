@@ -48,7 +48,7 @@ class Gate(CommandLine):
 
         scene = "vortex-square"
         tightened = self.suite("accuracy.toml", "3.2e-7, measured = 2.07e-7", "1e-12, measured = 0")
-        done = self.call("run", self.cheap, "--limits", tightened, "--out", "out")
+        done = self.call("run", self.cheap, tightened, "--out", "out")
         self.assertEqual(done.returncode, 1)
         self.assertIn("FAIL", done.stdout)
         verdicts = {c["scene"]: c["verdict"] for c in self.result()["checks"]}
@@ -76,13 +76,11 @@ class Gate(CommandLine):
         drifted = self.suite("accuracy.toml", "3.2e-7, measured = 2.07e-7",
                              "2.6e-7, measured = 1.8e-7")
         for drift, code in ((None, 0), (0.2, 0), (0.1, 1)):
-            done = self.call("run", self.cheap, "vortex-square", "--limits", drifted, "--out", "out",
+            done = self.call("run", self.cheap, "vortex-square", drifted, "--out", "out",
                              *(["--drift", drift] if drift else []))
             self.assertEqual(done.returncode, code, done.stdout)
 
     def test_a_full_disk(self):
-        self.expect_refusal("run", self.cheap, "--out", self.path("out"), words=["out"],
-                            prepare=limited_to(0))
         self.expect_refusal("run", self.cheap, "--out", self.path("out"), words=["verify.json"],
                             code=(1,), prepare=limited_to(100))
 
@@ -90,7 +88,7 @@ class Gate(CommandLine):
 class HardCases(CommandLine):
     """Only the cheapest cases run here; all of them are tests of their own."""
     program = HARD
-    cheap = ("nan-some", "size-1e-150")
+    cheap = ("nan-some", "size-1e-75")
 
     def test_list(self):
         done = self.call("list")
@@ -114,13 +112,8 @@ class HardCases(CommandLine):
         self.assertEqual((held["inverted"], held["uncounted"], held["gave_up"]), (0, 0, ""))
         self.assertEqual(held["missed"], held["unreached"])
         self.assertGreater(held["held"], 0)
-        self.assertIsNone(held["error"])
+        self.assertIsNone(held["shape_error"])
         self.assertIn("choose_frame", refused["error_message"])
-
-    def test_a_full_disk(self):
-        # The table on standard output is written all the same: it goes to a pipe.
-        self.expect_refusal("run", self.cheap[0], "--json", self.path("hard.json"),
-                            words=["hard.json"], code=(1, 2), prepare=limited_to(100))
 
 
 if __name__ == "__main__":

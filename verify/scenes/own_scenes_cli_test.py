@@ -6,7 +6,7 @@ import os
 import unittest
 import xml.etree.ElementTree as xml
 
-from command_line import SCENE, VERIFY, SUITES, CommandLine
+from command_line import SCENE, VERIFY, CommandLine
 
 MINE = """name = "mine"
 [options]
@@ -134,13 +134,6 @@ class Judged(OwnScenes):
         self.assertEqual(done.returncode, 1)
         self.assertIn("suite.toml:3: [case.limits] area_ratio", done.stdout)
 
-    def test_by_a_suite_as_well(self):
-        done = self.call("run", self.scene(), "--limits", self.suite("limits.unreached = 0"),
-                         "--out", "out")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("unreached", self.rows())
-        self.assertIn("limits.inverted", self.rows())
-
     def test_a_suite_of_which_rows_are_timed_as_well(self):
         self.scene()
         suite = self.suite("measure = 'step'\nh = [0.05, 0.04]\nthreads = [1, 2]\n"
@@ -162,12 +155,7 @@ class Judged(OwnScenes):
 class Refused(OwnScenes):
     def test_no_limits(self):
         self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "without limits",
-                                                            "[limits]", "--limits"])
-
-    def test_a_suite_without_the_scene(self):
-        for name in ("accuracy.toml", "scenes.toml"):
-            self.expect_refusal("run", self.scene(), "--limits", os.path.join(SUITES, name),
-                                words=["mine", "propose"])
+                                                            "[limits]"])
 
 
 class Proposed(OwnScenes):
@@ -188,8 +176,7 @@ class Proposed(OwnScenes):
         for name in self.NAMES:
             self.assertIn(name + " = ", text)
             self.assertIn(name, done.stdout)
-        for key in ("rule = ", "orders = 4", "[measured_at.", "commit = ", "date = ", "machine = ",
-                    "compiler = "):
+        for key in ("rule = ", "orders = 4"):
             self.assertIn(key, text)
         done = self.call("run", "l.toml", "--only", "symmetric_difference,quality,validity",
                          "--out", "out")
@@ -218,29 +205,25 @@ class Proposed(OwnScenes):
         for kept in ("orders = 4 } # all\n", "[[case]] # mine\n", "inverted = 0 # none\n",
                      " } # low\n", "area_ratio = 0.5 # by decree\n"):
             self.assertIn(kept, text)
-        self.assertRegex(text, r"min_quality = \{ at_least = 0.[234]\d?, measured = 0.\d+, at = ")
+        self.assertRegex(text, r"min_quality = \{ at_least = 0.[234]\d?, measured = 0.\d+ \}")
         done = self.call("run", path, "--out", "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
     def test_nothing_is_overwritten(self):
         before = self.write("l.toml", "mine")
         self.expect_refusal("propose", self.scene(MINE), "--orders", "2", "--out", before,
-                            words=["--out", "l.toml", "--overwrite"])
+                            words=["--out", "l.toml", "another name"])
         self.assertEqual(self.read("l.toml"), "mine")
-        done = self.call("propose", self.scene(MINE), "--orders", "2", "--out", before, "--overwrite")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("[case.limits]", self.read("l.toml"))
 
     def test_bad_calls(self):
         self.scene(MINE)
         suite = self.suite("limits.inverted = 0")
         self.expect_refusal("propose", suite, "--out", "l.toml", words=["--out", "--update"])
-        self.expect_refusal("propose", suite, "mien", words=["'mien'", "allowed", "mine"])
-        shared = self.write("l.toml", "[[case]]\nscene = ['mine.toml', 'zalesak']\n"
+        shared = self.write("l.toml", "[[case]]\nscene = 'mine.toml'\nh = [0.05, 0.06]\n"
                             "limits.inverted = 0\n"
                             "limits.unreached = { at_most = 2, measured = 1 }\n")
-        self.expect_refusal("propose", shared, "mine", "--orders", "2", "--update",
-                            words=["l.toml", "'mine'", "[[case]] for each"])
+        self.expect_refusal("propose", shared, "--orders", "2", "--update",
+                            words=["l.toml", "'mine h:0.05'", "[[case]] for each"])
 
 
 if __name__ == "__main__":

@@ -20,11 +20,9 @@ auto one_or_more(const CaseReader& reader, const std::string& key, One one, Many
 
 } // namespace
 
-std::vector<std::string> keys_of_verify() {
-    return {"limits", "defaults", "every_case_has", "measured_at"};
-}
+std::vector<std::string> keys_of_verify() { return {"limits", "defaults", "every_case_has"}; }
 
-std::vector<std::string> case_keys_of_verify() { return {"limits", "series", "starts"}; }
+std::vector<std::string> case_keys_of_verify() { return {"limits", "starts"}; }
 
 std::vector<std::string> case_keys_of_bench() {
     return {"measure", "submeshes", "area_error", "between_us",
