@@ -97,7 +97,7 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     const TableReader common =
         defaults && defaults->has(check.name) ? defaults->table(check.name) : nothing;
     for (const TableReader& one : {own, common}) {
-        one.allow({"at_most", "at_least", "around", "measured", "rule", "orders", "note"});
+        one.allow({"at_most", "at_least", "around", "measured", "rule", "orders", "note", "at"});
     }
     const scenes::CaseReader reader(common, &own);
     const auto number = [&](const std::string& key) {
@@ -123,6 +123,7 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     limit.rule = text("rule", limit.rule);
     scenes::at_key(limits, check.name, [&] { (void)find_rule(limit.rule); });
     limit.note = text("note", "");
+    limit.at = text("at", "");
     if (limit.measured) {
         check_rule(limits, check, limit);
     } else if (find_rule(limit.rule).factor != 1) {

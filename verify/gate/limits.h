@@ -30,6 +30,7 @@ struct Limit {
     std::string rule = "required";
     int orders = 0; ///< of the interface, in which `measured` was found; 0: the scene's own alone
     std::string note{};
+    std::string at{};    ///< commit, day, machine and compiler of the measurement
     std::string where{}; ///< file, line and key
     bool is_own = true;  ///< of the case itself, and not of all cases of a suite
 
@@ -47,7 +48,7 @@ struct Limit {
 inline constexpr double rounding_error = 1e-12;
 
 /// The limit that stands under the check's name: a number, or a table of `at_most` or `at_least`,
-/// `around`, `measured`, `rule`, `orders` and `note`. What the table leaves out is taken from
+/// `around`, `measured`, `rule`, `orders`, `note` and `at`. What the table leaves out is taken from
 /// that of the same name in `defaults`. Throws InputError, also for a limit that does not follow
 /// its rule.
 [[nodiscard]] Limit read_limit(const scenes::TableReader& limits,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // dsc_verify list
-// dsc_verify run [SUITE|SCENE_FILE|SCENE|CHECK]... [--only CHECK,...] [--jobs N] [--drift SHARE]
-//                [--out DIR]
+// dsc_verify run [SUITE|SCENE_FILE|SCENE|CHECK]... [--only CHECK,...] [--limits SUITE]
+//                [--jobs N] [--drift SHARE] [--out DIR]
 // dsc_verify propose SUITE|SCENE_FILE|SCENE [--orders N] [--jobs N] [--update | --out FILE]
 // Exit: 0 all limits hold; 1 one is broken, or the results could not be written; 2 bad usage.
 #include "judge.h"
@@ -31,6 +31,7 @@ using namespace dsc::gate;
 struct Arguments {
     std::vector<std::string> words; ///< suites, scene files, scenes, checks
     std::vector<std::string> only;
+    std::optional<std::string> limits;
     std::optional<double> drift;
     std::string out = "dsc_verify_out";
     int jobs = 1;
@@ -64,12 +65,49 @@ std::vector<std::string> our_suites() {
     return paths;
 }
 
-Cases read_cases(const std::vector<std::string>& paths) {
+// A scene file, held to what a suite says of a scene of its name.
+Cases cases_of(const std::string& path, const std::string& suite) {
+    const Case own = case_of_scene(path);
+    Cases cases;
+    for (const auto& c : read_suite(suite)) {
+        if (c->file.scene.name != own.file.scene.name) {
+            continue;
+        }
+        Case same = *c;
+        same.file = own.file;
+        same.path = path;
+        same.parameters = own.parameters;
+        for (const Held& held : same.held) {
+            if (const std::string reason = why_not(*held.check, same); !reason.empty()) {
+                throw dsc::InputError({.what = "a limit without its measure",
+                                       .where = held.limit.where,
+                                       .value = reason,
+                                       .allowed = "limits of figures that the run has"});
+            }
+        }
+        cases.push_back(std::make_shared<const Case>(std::move(same)));
+    }
+    if (cases.empty()) {
+        throw dsc::InputError({.what = "no limit of this scene",
+                               .where = "--limits",
+                               .value = own.name,
+                               .allowed = "a suite with a case of " + own.name +
+                                          ", such as `dsc_verify propose` writes"});
+    }
+    return cases;
+}
+
+Cases read_cases(const std::vector<std::string>& paths,
+                 const std::optional<std::string>& limits = {}) {
     Cases cases;
     for (const std::string& path : paths) {
-        if (is_suite(path)) {
+        const bool is_of_suite = is_suite(path);
+        if (is_of_suite) {
             std::ranges::move(read_suite(path), std::back_inserter(cases));
-        } else {
+        } else if (limits) {
+            std::ranges::move(cases_of(path, *limits), std::back_inserter(cases));
+        }
+        if (!is_of_suite && (!limits || !case_of_scene(path).file.limits.empty())) {
             cases.push_back(std::make_shared<const Case>(case_of_file(path)));
         }
     }
@@ -85,9 +123,9 @@ Chosen choose(const Arguments& arguments) {
         (dsc::scenes::is_scene_file(word) ? chosen.suites : names).push_back(word);
     }
     if (chosen.suites.empty()) {
-        chosen.suites = our_suites();
+        chosen.suites = arguments.limits ? std::vector{*arguments.limits} : our_suites();
     }
-    chosen.cases = read_cases(chosen.suites);
+    chosen.cases = read_cases(chosen.suites, arguments.limits);
     const auto is_called = [](const auto& c, const std::string& name) {
         return c->name == name || c->file.scene.name == name;
     };
@@ -259,6 +297,8 @@ int main(int argc, char** argv) {
         ->add_option("--only", arguments.only, "names or groups of checks, such as area,histograms")
         ->delimiter(',')
         ->allow_extra_args(false);
+    run_command->add_option("--limits", arguments.limits,
+                            "a suite in place of ours; of scene files, beside their [limits]");
     run_command
         ->add_option("--drift", arguments.drift,
                      "also fail what is worse than the limit's own measurement by more than this "

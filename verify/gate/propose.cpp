@@ -2,9 +2,12 @@
 #include "propose.h"
 
 #include "dsc/base/error.h"
+#include "scenes/output/machine.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <string_view>
 
@@ -21,6 +24,16 @@ constexpr std::string_view of_any_scene[]{"area_ratio",         "symmetric_diffe
                                           "parallel_unreached", "parallel_quality_histogram",
                                           "parallel_min_angle", "parallel_min_quality",
                                           "mesh_hash"};
+
+std::string here_and_now() {
+    std::array<char, 16> day{};
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    (void)gmtime_r(&now, &utc);
+    (void)std::strftime(day.data(), day.size(), "%F", &utc);
+    return scenes::commit() + ", " + day.data() + ", " + scenes::machine() + ", " +
+           scenes::compiler();
+}
 
 // To two digits, away from what was measured.
 double rounded(double value, bool up) {
@@ -120,6 +133,7 @@ void set_limit(const Check& check, double measured, Limit& limit) {
         return;
     }
     limit.measured = measured;
+    limit.at = here_and_now();
     const double factor = find_rule(limit.rule).factor;
     if (is_count(check) && measured == 0) {
         limit = {.value = 0}; // nothing may be lost

@@ -259,7 +259,7 @@ Case case_of_file(const std::string& path) {
         throw InputError({.what = "a scene without limits",
                           .where = path,
                           .value = "no [limits]",
-                          .allowed = "[limits] in the file, or a suite with a case of it"});
+                          .allowed = "[limits] in the file, or --limits SUITE"});
     }
     return c;
 }

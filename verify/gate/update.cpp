@@ -56,6 +56,9 @@ std::string limit_text(const Band& band, const toml::table* known) {
     if (!limit.note.empty()) {
         add("note", limit.note);
     }
+    if (!limit.at.empty()) {
+        add("at", limit.at);
+    }
     text << " }";
     return text.str();
 }

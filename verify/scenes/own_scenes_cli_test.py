@@ -6,7 +6,7 @@ import os
 import unittest
 import xml.etree.ElementTree as xml
 
-from command_line import SCENE, VERIFY, CommandLine
+from command_line import SCENE, VERIFY, SUITES, CommandLine
 
 MINE = """name = "mine"
 [options]
@@ -134,6 +134,13 @@ class Judged(OwnScenes):
         self.assertEqual(done.returncode, 1)
         self.assertIn("suite.toml:3: [case.limits] area_ratio", done.stdout)
 
+    def test_by_a_suite_as_well(self):
+        done = self.call("run", self.scene(), "--limits", self.suite("limits.unreached = 0"),
+                         "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("unreached", self.rows())
+        self.assertIn("limits.inverted", self.rows())
+
     def test_a_suite_of_which_rows_are_timed_as_well(self):
         self.scene()
         suite = self.suite("measure = 'step'\nh = [0.05, 0.04]\nthreads = [1, 2]\n"
@@ -155,7 +162,11 @@ class Judged(OwnScenes):
 class Refused(OwnScenes):
     def test_no_limits(self):
         self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "without limits",
-                                                            "[limits]"])
+                                                            "[limits]", "--limits"])
+
+    def test_a_suite_without_the_scene(self):
+        self.expect_refusal("run", self.scene(), "--limits", os.path.join(SUITES, "accuracy.toml"),
+                            words=["mine", "propose"])
 
 
 class Proposed(OwnScenes):
@@ -176,7 +187,7 @@ class Proposed(OwnScenes):
         for name in self.NAMES:
             self.assertIn(name + " = ", text)
             self.assertIn(name, done.stdout)
-        for key in ("rule = ", "orders = 4"):
+        for key in ("rule = ", "orders = 4", "at = "):
             self.assertIn(key, text)
         done = self.call("run", "l.toml", "--only", "symmetric_difference,quality,validity",
                          "--out", "out")
@@ -205,7 +216,7 @@ class Proposed(OwnScenes):
         for kept in ("orders = 4 } # all\n", "[[case]] # mine\n", "inverted = 0 # none\n",
                      " } # low\n", "area_ratio = 0.5 # by decree\n"):
             self.assertIn(kept, text)
-        self.assertRegex(text, r"min_quality = \{ at_least = 0.[234]\d?, measured = 0.\d+ \}")
+        self.assertRegex(text, r"min_quality = \{ at_least = 0.[234]\d?, measured = 0.\d+, at = .*g\+\+.* \}")
         done = self.call("run", path, "--out", "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
