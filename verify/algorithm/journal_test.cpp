@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The journal of a complex stays with it and is emptied by its last reader; a step that was done as
-// a whole was not interrupted; a complex has one simulation at a time, which goes on from whole
-// archives alone.
+// The journal of a complex stays with it and is emptied by its last reader; options change as a
+// whole; how a step is interrupted; a complex has one simulation at a time, which goes on from
+// whole archives alone.
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -37,10 +37,6 @@ TEST(Journal, IsEmptiedByTheLastReaderAlone) {
         complex.set_phase(Triangle{1}, 0);
     }
     EXPECT_TRUE(complex.journal.records.empty());
-}
-
-TEST(Journal, IsKeptForAnotherReader) {
-    Complex<double> complex = disc();
     ++complex.journal.readers;
     {
         const Simulation<double> simulation(complex, {.edge_length = disc_h});
@@ -122,16 +118,53 @@ TEST_P(JournalOf, AReplayIsToldToTheSimulationOfTheComplex) {
     expect_to_go_on(complex, *simulation);
 }
 
+TEST_P(JournalOf, ItsSimulationTakesOptionsAsAWhole) {
+    Complex<double> complex = disc();
+    auto simulation = test::make_simulation(complex, {.edge_length = disc_h}, GetParam());
+    simulation->step(test::swirl, 0, 0.02);
+    Options<double> wrong = simulation->options();
+    wrong.sub_step = -1;
+    wrong.edge_length = disc_h / 2;
+    EXPECT_THROW(simulation->set_options(wrong), InputError);
+    EXPECT_EQ(simulation->options().edge_length, disc_h);
+
+    // A memory that begins with the switch: the first centred step is one of `midpoint`.
+    Options<double> centred = simulation->options();
+    centred.custom_integrator = centred_difference<double>();
+    simulation->set_options(centred);
+    Options<double> finer = centred;
+    simulation->step(test::swirl, 0.02, 0.02);
+    simulation->step(test::swirl, 0.04, 0.02);
+    finer.edge_length = disc_h / 2;
+    finer.custom_integrator = nullptr;
+    simulation->set_options(finer);
+    const std::size_t before = simulation->interface_size();
+    simulation->step(test::swirl, 0.06, 0.02);
+    EXPECT_GT(simulation->interface_size(), before * 3 / 2);
+    test::expect_sound(complex, *simulation);
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, JournalOf, testing::ValuesIn(test::all_courses), test::course_name);
 
-TEST(Interruption, AfterTheLastSubStepChangesNothing) {
+TEST(Interruption, EndsAStepBetweenItsSubSteps) {
     Complex<double> complex = disc();
     Simulation<double> simulation(complex, {.edge_length = disc_h});
-    const std::atomic<bool> flag = true;
+    std::atomic<bool> flag = false;
     simulation.interrupt_by(&flag);
-    const StepReport report = simulation.step(test::swirl, 0, 0.001);
-    EXPECT_EQ(report.sub_steps, 1U);
-    EXPECT_EQ(report.gave_up, GiveUp::none);
+    int calls = 0;
+    const Velocity<double> velocity = [&](auto positions, double time, auto velocities) {
+        test::swirl(positions, time, velocities);
+        flag = ++calls > 12;
+    };
+    const StepReport report = simulation.step(velocity, 0, 1);
+    EXPECT_EQ(report.gave_up, GiveUp::interrupted);
+    EXPECT_GT(report.reached, 0);
+    EXPECT_LT(report.reached, 0.5);
+    test::expect_sound(complex, simulation);
+    // After the last one nothing is left to interrupt.
+    const StepReport rest = simulation.step(test::swirl, report.reached, 0.001);
+    EXPECT_EQ(rest.sub_steps, 1U);
+    EXPECT_EQ(rest.gave_up, GiveUp::none);
 }
 
 class OneSimulation : public testing::TestWithParam<test::Course> {};

@@ -6,7 +6,6 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/operations/edge_collapse.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/queries/phases.h"
 
@@ -62,32 +61,6 @@ TYPED_TEST(OwnPasses, RunsTheApplicationsPassesInsteadOfTheDefault) {
         expect_sound(complex, simulation);
     }
     EXPECT_GT(unreached, 0U);
-}
-
-// Nothing is left of it that could arrive.
-TYPED_TEST(OwnPasses, AVertexThatVanishesOnItsWayDoesNotCountAsUnreached) {
-    using Real = TypeParam;
-    auto complex = disc_complex<Real>(coarse);
-    const auto options = options_for<Real>(coarse);
-    int vanished = 0;
-    const auto collapse_one = [&](Work<Real>& work) {
-        for (const Edge edge : edges(complex)) {
-            if (vanished == 0 && is_interface(complex, edge) &&
-                edge_collapse(work.submesh, edge) == Verdict::legal) {
-                ++vanished;
-                return;
-            }
-        }
-    };
-    // No mesh update, which would make a vertex of the same id.
-    auto algorithm = default_algorithm<Real>();
-    algorithm.motion = {{"collapse one", collapse_one}, {"move", &move_vertices<Real>}};
-    Simulation<Real> simulation(complex, options,
-                                std::make_unique<Executor<Real>>(complex, options, algorithm));
-    const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
-    EXPECT_EQ(vanished, 1);
-    EXPECT_EQ(report.unreached, 0U);
-    expect_sound(complex, simulation);
 }
 
 TYPED_TEST(OwnPasses, TakesThresholdsForEachPhase) {

@@ -165,21 +165,6 @@ TEST_F(Turning, TheStepGrowsAgainWhereTheFlowIsSlower) {
     EXPECT_LT(simulation.step(turn(1), 1.1, 1).sub_steps, 30U);
 }
 
-TEST_F(Turning, AFlowWithoutDerivativesEndsAllTheSame) {
-    auto complex = disc(0.05);
-    auto options = options_for<double>(0.05);
-    options.integrator = Integrator::adaptive;
-    options.tolerance = 1e-9;
-    options.max_sub_steps = 40;
-    Simulation<double> simulation(complex, options);
-    const auto jumps = pointwise<double>([](const Point<double>& p, double) {
-        return Point<double>(std::fmod(std::floor(p.x() * 1e6), 2) < 1 ? 0.2 : -0.2, 0);
-    });
-    const StepReport report = simulation.step(jumps, 0, 0.01);
-    EXPECT_LE(report.sub_steps, static_cast<std::uint32_t>(options.max_sub_steps));
-    EXPECT_EQ(validate(complex).problem, "");
-}
-
 // A flow that is rough for a moment asks for sub-steps so short that the whole step would be
 // thousands of them; that is no reason to give it up.
 TEST_F(Turning, AMomentOfRoughnessDoesNotMakeTheRestOfTheStepShort) {

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 namespace dsc::archive_test {
@@ -74,18 +73,8 @@ TEST(Archives, ReadBackWhatWasWritten) {
     Everything read;
     archive(read);
     archive.expect_end();
-    EXPECT_TRUE(read.flag);
-    EXPECT_EQ(read.small, -5);
-    EXPECT_EQ(read.number, example().number);
-    EXPECT_EQ(read.text.size(), 3U);
-    EXPECT_EQ(read.counts, example().counts);
-    EXPECT_EQ(read.either, example().either);
-    EXPECT_TRUE(std::signbit(read.list[1]));
-    ASSERT_EQ(read.ball.inside.size(), 2U);
-    EXPECT_EQ(read.ball.inside[1].vertex, Vertex{9});
-    EXPECT_EQ(read.ball.weight, 0.3);
-    EXPECT_EQ(read.ball.colour, Colour::blue);
     EXPECT_EQ(bytes_of(read), bytes);
+    EXPECT_NE(bytes_of({}), bytes);
 }
 
 TEST(Archives, RefuseWhatIsCutOff) {

@@ -51,14 +51,5 @@ TEST(EnumTable, LeadsFromValuesToNamesAndBack) {
     EXPECT_EQ(names_in(fruit_names), "apple, a pear, plum");
 }
 
-TEST(EnumTable, NamesAreThoseThatEnumsAreKnownBy) {
-    EXPECT_EQ(to_string(Integrator::rk4), "rk4");
-    EXPECT_EQ(to_string(Insertion::linear), "linear");
-    EXPECT_EQ(to_string(Reading::chords), "chords");
-    EXPECT_EQ(to_string(Coarsening::deviation), "deviation");
-    EXPECT_EQ(to_string(Assignment::queue), "queue");
-    EXPECT_EQ(to_string(Verdict::no_gain), "no_gain");
-}
-
 } // namespace
 } // namespace dsc::enum_table_test

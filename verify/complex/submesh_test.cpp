@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A submesh does not change what it does not own, whatever its region is like; and places exactly
-// on a cut have one owner.
+// A submesh owns a star if it owns all of its vertices, whatever its region is like. That each
+// place has one owner, parallel/partition_test.cpp says; and that a submesh leaves alone what it
+// does not own, that any number of threads give the same mesh, without a race.
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 
 #include "support/random/scene.h"
 
 #include "dsc/parallel/partition/partition.h"
-#include "dsc/passes/algorithm.h"
-#include "dsc/passes/interface/list.h"
-#include "dsc/queries/validate.h"
 #include "thesis/divisions/voronoi.h"
 
 #include <gtest/gtest.h>
@@ -25,108 +23,17 @@ namespace dsc::submesh_test {
 namespace {
 
 using test::Dice;
-using test::RandomFlow;
-using test::Wildness;
 
-// Everything known of a vertex except the scratch data of the active set.
-struct Seen {
-    double x, y;
-    std::uint32_t flags;
-    friend bool operator==(const Seen&, const Seen&) = default;
-};
-
-// A complex, and one submesh of it with ids of its own and all interface vertices to move.
-class OneOfSeveral {
-public:
-    OneOfSeveral(Dice& dice, bool patches)
-        : complex(patches ? test::random_patches<double>(dice, h, 8)
-                          : test::random_shapes<double>(dice, h)) {
-        options.edge_length = h;
-        constexpr int spare = 200;
-        for (int i = 0; i < spare; ++i) {
-            const std::uint32_t v = complex.take_vertex(complex.ids);
-            complex.vertices[v].flags = vertex_dead;
-            pool.vertices.push_back(v);
-            for (int k = 0; k < 2; ++k) {
-                const std::uint32_t t = complex.take_triangle(complex.ids);
-                complex.triangles[t].v = {no_id, no_id, no_id};
-                pool.triangles.push_back(t);
-            }
-        }
-        pool.may_grow = false;
+// A complex with free ids, as submeshes have for themselves.
+Complex<double> divided(Dice& dice, bool patches) {
+    constexpr double h = 0.03;
+    auto complex =
+        patches ? test::random_patches<double>(dice, h, 8) : test::random_shapes<double>(dice, h);
+    for (int i = 0; i < 200; ++i) {
+        complex.vertices[complex.take_vertex(complex.ids)].flags = vertex_dead;
     }
-
-    // Upkeep and motion in the region; what it does not own must stay the same bit for bit, and so
-    // must the triangles that are not wholly in it, except for their links.
-    void run(const Region& region, const RandomFlow& flow) {
-        Work<double> work(complex, options);
-        work.submesh.region = region;
-        work.submesh.pool = &pool;
-        work.epoch = 1;
-        work.interface = collect_interface(complex);
-        std::vector<Point<double>> positions;
-        for (const std::uint32_t v : work.interface) {
-            positions.push_back(complex.position(Vertex{v}));
-        }
-        std::vector<Point<double>> velocities(positions.size());
-        flow.velocity<double>()(positions, 0, velocities);
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Point<double> target = positions[i] + 0.5 * h * velocities[i];
-            work.movers.push_back({work.interface[i], target.x(), target.y()});
-        }
-        const std::size_t listed = work.movers.size();
-        const auto vertices = complex.vertices;
-        const auto triangles = complex.triangles;
-        const auto owned = [&](std::uint32_t v) {
-            return region.owns(v, vertices[v].x, vertices[v].y);
-        };
-        const auto algorithm = default_algorithm<double>();
-        for (const auto* passes : {&algorithm.upkeep, &algorithm.motion}) {
-            for (const auto& pass : *passes) {
-                pass.run(work);
-            }
-        }
-        moved += work.log.counts.moves;
-        const auto movers = static_cast<std::size_t>(std::ranges::count(
-            work.deferred.entries, DeferredKind::mover, &Deferred<double>::kind));
-        put_off += movers;
-        // Every vertex is accounted for: arrived, on the way, or put off; only deleted ones are
-        // not.
-        EXPECT_LE(movers + work.movers.size(), listed);
-        for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-            const auto& now = complex.vertices[v];
-            if ((vertices[v].flags & vertex_dead) == 0 && !owned(v)) {
-                ++foreign_vertices;
-                ASSERT_EQ((Seen{now.x, now.y, now.flags}),
-                          (Seen{vertices[v].x, vertices[v].y, vertices[v].flags}))
-                    << "vertex " << v;
-            } else if ((now.flags & vertex_dead) == 0) {
-                ASSERT_TRUE(region.owns(v, now.x, now.y))
-                    << "vertex " << v << " went, or was made, where another submesh works";
-            }
-        }
-        for (std::uint32_t t = 1; t < triangles.size(); ++t) {
-            const auto& v = triangles[t].v;
-            if (v[0] != no_id && !(owned(v[0]) && owned(v[1]) && owned(v[2]))) {
-                ++foreign_triangles;
-                ASSERT_EQ(complex.triangles[t].v, v) << "triangle " << t;
-                ASSERT_EQ(complex.triangles[t].phase, triangles[t].phase) << "triangle " << t;
-            }
-        }
-        complex.lent_vertices = static_cast<std::uint32_t>(pool.vertices.size());
-        complex.lent_triangles = static_cast<std::uint32_t>(pool.triangles.size());
-        ASSERT_EQ(validate(complex).problem, "");
-    }
-
-    static constexpr double h = 0.03;
-    Complex<double> complex;
-    Options<double> options;
-    IdPool pool;
-    std::uint64_t moved = 0;
-    std::size_t put_off = 0;
-    int foreign_vertices = 0;
-    int foreign_triangles = 0;
-};
+    return complex;
+}
 
 struct DrawnRegion {
     Region region;
@@ -186,34 +93,8 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
     }
 }
 
-TEST(Submesh, LeavesAloneWhatItDoesNotOwn) {
-    for (const Form form : forms) {
-        std::uint64_t moved = 0;
-        std::size_t put_off = 0;
-        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-            SCOPED_TRACE("form " + std::to_string(static_cast<int>(form)) + ", seed " +
-                         std::to_string(seed));
-            Dice dice(seed);
-            OneOfSeveral submesh(dice, seed % 2 == 0);
-            const RandomFlow flow(dice, 1, Wildness::none);
-            DrawnRegion drawn;
-            draw_region(dice, form, submesh.complex, drawn);
-            submesh.run(seed % 3 == 0 ? drawn.region : drawn.region.simplest(), flow);
-            if (HasFatalFailure()) {
-                return;
-            }
-            moved += submesh.moved;
-            put_off += submesh.put_off;
-            EXPECT_GT(submesh.foreign_vertices, 50);
-            EXPECT_GT(submesh.foreign_triangles, 100);
-        }
-        EXPECT_GT(moved, 100U) << "form " << static_cast<int>(form);
-        EXPECT_GT(put_off, 100U) << "form " << static_cast<int>(form);
-    }
-}
-
-// A star is owned if its centre and all of its link are, whichever way it is tested; also where
-// vertices lie exactly on a cut, which belongs to the submesh above it alone.
+// Its centre and all of its link, whichever way it is tested; also where vertices lie exactly on a
+// cut, which belongs to the submesh above it alone.
 TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
     std::array<std::size_t, 2> stars{};
     for (const Form form : forms) {
@@ -221,8 +102,7 @@ TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
             SCOPED_TRACE("form " + std::to_string(static_cast<int>(form)) + ", seed " +
                          std::to_string(seed));
             Dice dice(seed);
-            const OneOfSeveral submesh(dice, seed % 2 == 0);
-            const Complex<double>& complex = submesh.complex;
+            const Complex<double> complex = divided(dice, seed % 2 == 0);
             DrawnRegion drawn;
             draw_region(dice, form, complex, drawn);
             if (form == Form::slab || form == Form::block) {
@@ -262,36 +142,6 @@ TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
     }
     EXPECT_GT(stars[0], 1000U);
     EXPECT_GT(stars[1], 1000U);
-}
-
-// Three by three boxes of side 1, the outer ones without an outer bound.
-std::vector<Region> nine_boxes() {
-    constexpr std::array cuts{-Region::infinity, 1.0, 2.0, Region::infinity};
-    std::vector<Region> regions;
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-            Region region;
-            region.kind = Region::Kind::box;
-            region.low = cuts[i];
-            region.high = cuts[i + 1];
-            region.side_low = cuts[j];
-            region.side_high = cuts[j + 1];
-            regions.push_back(region);
-        }
-    }
-    return regions;
-}
-
-TEST(Submesh, OwnsPlacesOnACutAlone) {
-    const std::vector<Region> regions = nine_boxes();
-    for (const double x : {0.5, 1.0, 1.5, 2.0, 3.0}) {
-        for (const double y : {-7.0, 1.0, 2.0, 2.5}) {
-            EXPECT_EQ(std::ranges::count_if(
-                          regions, [&](const Region& region) { return region.owns(0, x, y); }),
-                      1)
-                << x << ", " << y;
-        }
-    }
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/validate.h"
-#include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "support/curve_testing.h"
 
@@ -169,14 +168,6 @@ TEST_P(InitialComplex, ComesOutAsItWentInAsFloat) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, InitialComplex, ::testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
-
-TEST(InitialComplexNumbering, IsOnlyThat) {
-    const std::vector<Shape> shapes{circle(0.5, 0.5, 0.25, 0.05)};
-    const auto numbered = dsc::initial_complex<double>({}, shapes, {.edge_length = 0.05});
-    const auto as_made =
-        dsc::initial_complex<double>({}, shapes, {.edge_length = 0.05, .renumber = false});
-    EXPECT_EQ(dsc::mesh_hash(numbered), dsc::mesh_hash(as_made));
-}
 
 // The goal that the constants of the improvement were chosen for.
 TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {

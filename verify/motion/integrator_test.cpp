@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integrators keep their orders, in place and in time, for both scalar types.
+// The integrators keep their orders, in place and in time.
 #include "dsc/motion/integrator.h"
 
 #include "support/pointwise.h"
@@ -71,40 +71,6 @@ INSTANTIATE_TEST_SUITE_P(Integrator, Orders,
                          [](const auto& one) {
                              return std::string(to_string(one.param.integrator));
                          });
-
-// A velocity t^n is integrated exactly up to an n that tells the times of the stages.
-template <class Real>
-Real error_in_power(Integrator integrator, int power, Real time, Real dt) {
-    const Velocity<Real> velocity = [power](std::span<const Point<Real>> positions, Real at,
-                                            std::span<Point<Real>> velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = {std::pow(at, static_cast<Real>(power)), 0};
-        }
-    };
-    const auto target = one_step<Real>(integrator, velocity, {Point<Real>(0, 7)}, time, dt);
-    EXPECT_EQ(target[0].y(), Real(7));
-    const auto n = static_cast<Real>(power + 1);
-    const Real exact = (std::pow(time + dt, n) - std::pow(time, n)) / n;
-    return std::abs(target[0].x() - exact);
-}
-
-template <class Real>
-class Stages : public testing::Test {};
-using Reals = testing::Types<double, float>;
-TYPED_TEST_SUITE(Stages, Reals);
-
-TYPED_TEST(Stages, AreEvaluatedAtTheirTimes) {
-    using Real = TypeParam;
-    const Real time = Real(0.75);
-    const Real dt = Real(0.5);
-    const Real rounding = Real(8) * std::numeric_limits<Real>::epsilon();
-    EXPECT_LE(error_in_power(Integrator::euler, 0, time, dt), rounding);
-    EXPECT_GT(error_in_power(Integrator::euler, 1, time, dt), Real(0.01));
-    EXPECT_LE(error_in_power(Integrator::midpoint, 1, time, dt), rounding);
-    EXPECT_GT(error_in_power(Integrator::midpoint, 2, time, dt), Real(0.001));
-    EXPECT_LE(error_in_power(Integrator::rk4, 3, time, dt), rounding);
-    EXPECT_GT(error_in_power(Integrator::rk4, 4, time, dt), Real(1e-5));
-}
 
 } // namespace
 } // namespace dsc::integrator_test

@@ -4,7 +4,6 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/parallel/partition/cuts.h"
-#include "dsc/passes/interface/list.h"
 
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
@@ -37,19 +36,6 @@ TEST(CutLimits, LaterColoursAreCutAnewInBetween) {
     EXPECT_EQ(due(6), Recut::later);
     EXPECT_EQ(due(7), Recut::none);
     EXPECT_EQ(due(8), Recut::all);
-}
-
-TEST(CutLimits, LaterColoursTakeThePlaceOfThoseBefore) {
-    const auto complex = test::disc_complex<double>(0.02);
-    const std::vector<std::uint32_t> interface = collect_interface(complex);
-    const std::vector<float> work(interface.size(), 1);
-    CellPartitioner<double> cells({.submeshes = 4, .least_vertices = 4});
-    Partition partition;
-    cells.divide({complex, interface, work, 0.02}, Recut::all, partition);
-    const std::size_t colours = partition.colours.size();
-    ASSERT_GT(colours, 1U);
-    cells.divide({complex, interface, work, 0.02}, Recut::later, partition);
-    EXPECT_EQ(partition.colours.size(), colours);
 }
 
 // The upper side of a square, whose vertices are 1 apart.

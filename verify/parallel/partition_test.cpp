@@ -87,8 +87,10 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
         const auto first = divided.regions(0).size();
         several += first >= 3 ? 1 : 0;
         if (seed % 2 == 0) {
+            const std::size_t colours = divided.partition.colours.size();
             divided.divide(*partitioner, Recut::later); // may be requested at any time
             ASSERT_EQ(divided.regions(0).size(), first);
+            ASSERT_EQ(divided.partition.colours.size(), colours);
         }
         const auto& colours = divided.partition.colours;
         for (const auto& p : sample_points(dice, divided)) {

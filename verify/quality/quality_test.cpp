@@ -45,7 +45,9 @@ TYPED_TEST(Measures, AgreeWithTrigonometry) {
         const double alpha = angle(random);
         const double beta = angle(random);
         const double gamma = 180 - alpha - beta;
-        const double scale = std::pow(10.0, static_cast<double>(i % 13) - 6);
+        // To where products of two lengths nearly leave the range of numbers.
+        constexpr double decades = sizeof(TypeParam) == 8 ? 25 : 2.8;
+        const double scale = std::pow(10.0, decades * (i % 13 - 6));
         const auto p = TestFixture::by_angles(alpha, beta, scale, i);
         const double smallest = std::min({alpha, beta, gamma});
         const auto sine = [](double degrees) { return std::sin(degrees * pi / 180); };
@@ -89,16 +91,6 @@ TYPED_TEST(Measures, DegenerateTrianglesAreWorth0) {
     for (const auto& p : list) {
         EXPECT_EQ(quality(p[0], p[1], p[2]), 0);
         EXPECT_EQ(min_angle_deg(p[0], p[1], p[2]), 0);
-    }
-}
-
-TYPED_TEST(Measures, SurviveExtremeScales) {
-    const double scale = sizeof(TypeParam) == 8 ? 1e-150 : 1e-17;
-    for (const double s : {scale, 1 / scale}) {
-        const auto p = TestFixture::by_angles(40, 60, s);
-        const double expected = 2 / std::sqrt(3) * std::sin(40 * pi / 180);
-        EXPECT_NEAR(quality(p[0], p[1], p[2]), expected, 10 * TestFixture::tolerance);
-        EXPECT_NEAR(min_angle_deg(p[0], p[1], p[2]), 40, 400 * TestFixture::tolerance);
     }
 }
 

@@ -105,17 +105,6 @@ TEST(Outlines, OfThreePhasesEndAtJunctions) {
     EXPECT_EQ(turned(both[0]), (Ids{6, 7, 8, 13, 18, 17, 16, 11}));
 }
 
-TEST(Outlines, OfAPhaseAtTheDomainBoundary) {
-    const auto complex = squares({"000", "000", "110"});
-    const auto curves = interface_curves(complex);
-    ASSERT_EQ(curves.size(), 2U);
-    EXPECT_FALSE(curves[0].is_closed || curves[1].is_closed);
-    EXPECT_EQ(ids(only(curves, 1, border_phase).vertices), (Ids{4, 0, 1, 2}));
-    EXPECT_EQ(ids(only(curves, 1, 0).vertices), (Ids{2, 6, 5, 4}));
-    ASSERT_EQ(outlines(complex, 1).size(), 1U);
-    EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{0, 1, 2, 6, 5, 4}));
-}
-
 TEST(Outlines, TouchAtAPinchedVertex) {
     const auto complex = squares({"0000", "0010", "0100", "0000"});
     const auto loops = outlines(complex, 1);

@@ -71,20 +71,5 @@ TYPED_TEST(DerivedFromPhases, InterfaceAndBoundary) {
     EXPECT_EQ(phase_area(complex, 17), 0);
 }
 
-TEST(InterfacePair, IsSymmetricAndTakesTheBorderForExterior) {
-    constexpr Phase gas = 1, liquid = 2;
-    const auto is_either_way = [](Phase one, Phase other) {
-        EXPECT_EQ(is_interface_pair(one, other), is_interface_pair(other, one));
-        return is_interface_pair(one, other);
-    };
-    EXPECT_TRUE(is_either_way(gas, liquid));
-    EXPECT_TRUE(is_either_way(gas, exterior_phase));
-    EXPECT_TRUE(is_either_way(gas, border_phase));
-    EXPECT_FALSE(is_either_way(exterior_phase, border_phase));
-    for (const Phase phase : {exterior_phase, gas, liquid, border_phase}) {
-        EXPECT_FALSE(is_interface_pair(phase, phase));
-    }
-}
-
 } // namespace
 } // namespace dsc::phases_test

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// Domains, options, shapes and curves that make no sense, each with its message; and what lies just
+// inside the limits. Outlines and curves are checked by the same code, so a rule is tried on either
+// of them.
+#include "dsc/initial/initial_complex.h"
+#include "dsc/initial/input/input_check.h"
+#include "dsc/queries/phases.h"
+#include "dsc/queries/validate.h"
+
+#include "support/refusal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dsc::refusals_test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <class Drawn>
+struct Row {
+    std::vector<Drawn> drawn;
+    std::string where;
+    std::string words;
+};
+
+template <class Real = double, class Drawn>
+void build(const std::vector<Drawn>& drawn, double h = 0.05, const Rectangle& domain = {}) {
+    (void)initial_complex<Real>(domain, drawn, {.edge_length = h});
+}
+
+template <class Real = double, class Drawn>
+void expect_refused(const std::vector<Row<Drawn>>& rows) {
+    for (const Row<Drawn>& row : rows) {
+        test::expect_refusal([&] { build<Real>(row.drawn); }, row.where, row.words);
+    }
+}
+
+Shape square(double x, double y, double side, Phase phase = 1) {
+    return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, phase};
+}
+
+const Curve across{{{0, 0.5}, {1, 0.5}}, 1, 0};
+
+TEST(InitialErrors, OptionsAndDomain) {
+    struct Input {
+        double h;
+        Rectangle domain;
+        std::string where, words;
+        bool in_float = false;
+    };
+    const std::vector<Input> inputs{
+        {0, {}, "edge_length", "above 0"},
+        {-1, {}, "edge_length", "above 0"},
+        {infinity, {}, "edge_length", "above 0"},
+        {nan, {}, "edge_length", "above 0"},
+        {1e-110, {{0, 0}, {1e-109, 1e-109}}, "edge_length", "choose_frame brings any scene there"},
+        {1e110, {{0, 0}, {1e111, 1e111}}, "edge_length", "choose_frame brings any scene there"},
+        {1.5, {}, "edge_length", "smaller side of the domain"},
+        {0.3, {{0, 0}, {1, 0.2}}, "edge_length", "smaller side of the domain"},
+        {1e-5, {}, "edge_length", "triangles"},
+        {1, {{1e15, 0}, {1e15 + 64, 64}}, "edge_length", "resolve"},
+        {0.05, {{1e5, 0}, {1e5 + 1, 1}}, "edge_length", "resolve", true},
+        {0.1, {{0, 0}, {0, 1}}, "domain", "empty"},
+        {0.1, {{1, 0}, {0, 1}}, "domain", "empty"},
+        {1, {{-1e200, 0}, {1e200, 1e200}}, "domain", "out of range"},
+        {0.1, {{0, nan}, {1, 1}}, "domain", "not finite"},
+        {0.1, {{0, 0}, {infinity, 1}}, "domain", "not finite"},
+        {1e39, {{0, 0}, {1e40, 1e40}}, "domain", "not finite", true}};
+    for (const Input& input : inputs) {
+        const std::vector<Shape> none;
+        test::expect_refusal(
+            [&] {
+                input.in_float ? build<float>(none, input.h, input.domain)
+                               : build<double>(none, input.h, input.domain);
+            },
+            input.where, input.words);
+    }
+    test::expect_refusal(
+        [] { (void)initial_complex<double>({}, {}, {.edge_length = 0.1, .improve_rounds = -1}); },
+        "improve_rounds", "0 or more");
+}
+
+TEST(InitialErrors, TheLeastEdgeLengthsAreAllowed) {
+    const double h = initial::least_initial_edge_length;
+    const double steps = initial::least_steps * std::numeric_limits<double>::epsilon();
+    const Rectangle small{{0, 0}, {4 * h, 4 * h}};
+    const Rectangle far{{1 - 4 * steps, 1 - 4 * steps}, {1, 1}};
+    for (const auto& [domain, least] : {std::pair{small, h}, std::pair{far, steps}}) {
+        EXPECT_TRUE(validate(initial_complex<double>(domain, {}, {.edge_length = least})).ok());
+        EXPECT_THROW(build(std::vector<Shape>{}, 0.99 * least, domain), InputError);
+    }
+}
+
+TEST(InitialErrors, OneLine) {
+    const Shape good = square(0.1, 0.1, 0.1);
+    Shape repeated = square(0.5, 0.5, 0.2);
+    repeated.outline.push_back(repeated.outline.front());
+    Shape lost = square(0.5, 0.5, 0.2);
+    lost.outline[2].x() = nan;
+    expect_refused<double, Shape>({
+        {{good, lost}, "shape 1, point 2", "not finite"},
+        {{good, {{}, 1}}, "shape 1", "too few"},
+        {{{{{0.2, 0.2}, {0.4, 0.4}}, 1}}, "shape 0", "too few"},
+        {{repeated}, "shape 0, edge 4", "no length"},
+        {{square(0.5, 0.5, 0.2, border_phase)}, "shape 0", "reserved"},
+        {{square(0.5, 0.5, 0.04)}, "shape 0", "smaller side of the shape"},
+    });
+    expect_refused<double, Curve>({
+        {{across, {{{0, 0.2}, {0.5, infinity}, {1, 0.2}}, 1, 0}}, "curve 1, point 1", "not finite"},
+        {{across, {{}, 1, 0}}, "curve 1", "too few points"},
+        {{{{{0, 0.5}}, 1, 0}}, "curve 0", "too few points: got 1"},
+        {{{{{0.2, 0.5}, {0.4, 0.5}, {0.2, 0.5}}, 1, 0}}, "curve 0", "too few points: got 2"},
+        {{{{{0, 0.5}, {0, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, edge 0", "no length"},
+        {{{across.points, border_phase, 0}}, "curve 0", "reserved"},
+        {{{across.points, 0, border_phase}}, "curve 0", "reserved"},
+        {{across, {{{0, 0.2}, {1, 0.2}}, 3, 3}},
+         "curve 1",
+         "got 3; allowed: two phases that differ"},
+    });
+}
+
+TEST(InitialErrors, Sides) {
+    const std::string outside = "outside the domain or too close";
+    expect_refused<double, Shape>({
+        {{square(0.8, 0.5, 0.2)}, "shape 0, point 1", outside},
+        {{square(-0.1, 0.5, 0.2)}, "shape 0, point 0", outside},
+    });
+    expect_refused<double, Curve>({
+        {{{{{0, 0.5}, {1.1, 0.5}}, 1, 0}}, "curve 0, point 1", outside},
+        {{{{{0, 0.5}, {0.5, 1}, {1, 0.5}}, 1, 0}}, "curve 0, point 1", outside},
+        {{{{{0, 0.5}, {0.5, 1e-5}, {1, 0.5}}, 1, 0}}, "curve 0, point 1", outside},
+        {{{{{1e-9, 0.5}, {1, 0.5}}, 1, 0}}, "curve 0, point 0", outside},
+        {{{{{0, 0.2}, {0, 0.8}}, 1, 0}}, "curve 0, edge 0", "runs along a side"},
+        {{{{{0, 0}, {0.9, 0.0003}, {0.9, 0.5}, {0, 0.4}}, 1, 0}},
+         "curve 0, edge 0",
+         "runs along a side"},
+    });
+    EXPECT_NO_THROW(build(std::vector<Curve>{{{{0, 0.5}, {0.5, 6e-5}, {1, 0.5}}, 1, 0}}));
+}
+
+TEST(InitialErrors, Ends) {
+    const std::string inside = "ends inside the domain";
+    const Curve right{{{0.5, 0.5}, {1, 0.5}}, 1, 0};
+    expect_refused<double, Curve>({
+        {{across, {{{0, 0.2}, {0.5, 0.2}}, 1, 0}}, "curve 1, point 1", inside},
+        {{{{{0.2, 0.2}, {0.5, 0.2}, {1, 0.3}}, 1, 0}}, "curve 0, point 0", inside},
+        // An end on the middle of another curve is no junction.
+        {{across, {{{0.5, 0.5}, {0.5, 1}}, 1, 0}}, "curve 1, point 0", inside},
+        {{{{{0, 0.5}, {std::nextafter(0.5, 0), 0.5}}, 1, 0}, right}, "curve 0, point 1", inside},
+    });
+    EXPECT_NO_THROW(build(std::vector<Curve>{{{{0, 0.5}, {0.5, 0.5}}, 1, 0}, right}));
+}
+
+// What a contact is, geometry/contacts_test.cpp says.
+TEST(InitialErrors, Contacts) {
+    expect_refused<double, Shape>({
+        {{{{{0.2, 0.2}, {0.6, 0.6}, {0.6, 0.2}, {0.2, 0.6}}, 1}},
+         "shape 0, edge 0",
+         "cross, touch or overlap: got contact with shape 0, edge 2"},
+        {{square(0.2, 0.2, 0.2), square(0.3, 0.3, 0.2, 2)},
+         "shape 0, edge 2",
+         "got contact with shape 1, edge 3"},
+        {{square(0.2, 0.2, 0.2), square(0.2, 0.2, 0.2, 2)},
+         "shape 0, edge 0",
+         "contact with shape 1"},
+    });
+    const double beside = std::nextafter(0.4, 1);
+    expect_refused<double, Curve>({
+        {{across, {{{0.5, 0}, {0.5, 1}}, 1, 0}}, "curve 0, edge 0", "contact with curve 1, edge 0"},
+        // The ends of two curves on a point of a third that is no end.
+        {{{{{0, 0.2}, {0.5, 0.5}, {1, 0.2}}, 0, 1},
+          {{{0, 0.8}, {0.5, 0.5}}, 1, 0},
+          {{{0.5, 0.5}, {1, 0.8}}, 1, 0}},
+         "curve 0, edge 0",
+         "contact with curve 1, edge 0"},
+        // A point beside an edge by less than rounding moves the points that cut it.
+        {{{{{0.2, 0}, {0.6, 1}}, 1, 0}, {{{1, 0.3}, {0.4, 0.5}, {1, 0.7}}, 1, 0}},
+         "curve 0, edge 0",
+         "contact with curve 1, edge 0"},
+    });
+    // A point exactly on an edge whose pieces are moved away from it, to one side or the other.
+    for (const double side : {0.0, 1.0}) {
+        const Curve tip{{{0.2, side}, {0.25, 0.34375}, {0.3, side}}, 1, 0};
+        expect_refused<double, Curve>(
+            {{{{{{0, 0.25}, {1, 0.625}}, 1, 0}, tip}, "curve 0, edge 0", "contact with curve 1"}});
+    }
+    EXPECT_NO_THROW(build(std::vector<Curve>{{{{0.4, 0}, {0.4, 1}}, 1, 2},
+                                             {{{1, 0.3}, {beside, 0.51}, {1, 0.7}}, 2, 0}}));
+}
+
+TEST(InitialErrors, Phases) {
+    const std::string same = "phase of what is around it";
+    expect_refused<double, Shape>({
+        {{square(0.2, 0.2, 0.2, 0)}, "shape 0", same},
+        {{square(0.3, 0.3, 0.2, 4), square(0.2, 0.2, 0.4, 4)}, "shape 0", same},
+        {{square(0.2, 0.2, 0.6, 4), square(0.3, 0.3, 0.4, 0), square(0.4, 0.4, 0.1, 0)},
+         "shape 2",
+         same},
+    });
+    EXPECT_NO_THROW(build(std::vector<Shape>{square(0.2, 0.2, 0.6, 4), square(0.3, 0.3, 0.4, 0)}));
+    const auto ring = [](double left) {
+        return Curve{
+            {{left, 0.5}, {left + 0.1, 0.4}, {left + 0.2, 0.5}, {left + 0.1, 0.6}, {left, 0.5}},
+            2,
+            1};
+    };
+    expect_refused<double, Curve>({
+        {{{{{0, 0.3}, {1, 0.3}}, 1, 0}, {{{0, 0.6}, {1, 0.6}}, 0, 2}},
+         "curve 1",
+         "two phases for one region: got phase 2 on the right of curve 1, phase 1 on the left of "
+         "curve 0"},
+        // A bridge between two rings has one region on both sides.
+        {{ring(0.2), ring(0.6), {{{0.2, 0.5}, {0, 0.5}}, 1, 0}},
+         "curve 2",
+         "two phases for one region"},
+    });
+}
+
+TEST(InitialErrors, FloatsThatCollide) {
+    const double more = 0.5 + 1e-9;
+    const std::vector<Curve> close{{{{0, 0.5}, {0.5, 0.5}, {more, 0.5}, {1, 0.5}}, 1, 0}};
+    const std::vector<Curve> first{{{{0.3, 0.5}, {0.3 + 1e-12, 0.5}, {1, 0.5}}, 1, 0}};
+    const std::vector<Curve> far{{{{0, 0.5}, {0.5, 1e39}, {1, 0.5}}, 1, 0}};
+    const std::vector<Curve> ends{{{{0, 0.5}, {0.5, 0.5}}, 1, 0},
+                                  {{{0.5, 0.5}, {1, 0.5}}, 1, 2},
+                                  {{{0.5, 0.5}, {0.5, 0}}, 2, 0},
+                                  {{{0, 0.4}, {0.5 - 1e-9, 0.5}}, 0, 3}};
+    expect_refused<float, Curve>({
+        {close, "curve 0, edge 1", "points collide when rounded"},
+        {first, "curve 0, edge 0", "points collide when rounded"},
+        {far, "curve 0, point 1", "not finite"},
+        {ends, "curve 3", "ends of curves collide when rounded"},
+    });
+    expect_refused<double, Curve>({{ends, "curve 3, point 1", "ends inside the domain"}});
+    EXPECT_NO_THROW(build(close));
+    // Apart as doubles, the same line as floats.
+    expect_refused<float, Shape>(
+        {{{square(0.3, 0.2, 0.2), {{{more, 0.2}, {0.7, 0.2}, {0.7, 0.4}, {more, 0.4}}, 2}},
+          "shape 0, edge 0",
+          "contact with shape 1"}});
+}
+
+TEST(InitialOutlines, MayBeginAtAnyOfTheirVerticesAndGoEitherWay) {
+    std::vector<Point<double>> points{{3, 5}, {1, 1}, {0, 0}, {1, -1}, {4, -1}};
+    for (int way = 0; way < 2; ++way, std::reverse(points.begin(), points.end())) {
+        for (std::size_t first = 0; first < points.size(); ++first) {
+            const std::vector<Shape> shapes{{points, 1}};
+            const auto complex =
+                initial_complex<double>({{-1, -2}, {6, 6}}, shapes, {.edge_length = 1});
+            EXPECT_TRUE(validate(complex).ok());
+            EXPECT_NEAR(phase_area(complex, 1), 12, 1e-12) << way << ' ' << first;
+            std::rotate(points.begin(), points.begin() + 1, points.end());
+        }
+    }
+}
+
+} // namespace
+} // namespace dsc::refusals_test
