@@ -44,7 +44,7 @@ double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 
                                               complex.position(Vertex{v[2]})));
     };
     const double first = size(one);
-    return first / (first + size(other));
+    return first > 0 ? first / (first + size(other)) : 0.0; // both may round to nothing
 }
 
 /// Makes two corners the other sides of each other. The border keeps no record of its neighbours.
