@@ -220,7 +220,7 @@ Answer check_answer(const Start& start, const Complex<double>& complex, const St
     const double exact = exact_area(start, step);
     const double area =
         scenes::signed_area(scenes::interface_outlines(complex, {.phase = start.setup.measured}));
-    answer.area_error_rel = std::abs(scenes::area_drift(area, exact));
+    answer.area_error_rel = std::abs((area - exact) / exact);
     if (!std::isnan(exact) && !(answer.area_error_rel <= limit)) {
         throw InvariantError("the area is off by " + std::to_string(answer.area_error_rel) +
                              " of the exact one, where " + std::to_string(limit) + " is allowed");

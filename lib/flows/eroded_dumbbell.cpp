@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "flows/eroded_dumbbell.h"
 
-#include "dsc/base/error.h"
 #include "flows/arcs.h"
 
 #include <cmath>
@@ -12,7 +11,6 @@ namespace dsc::scenes {
 
 ExactShape eroded_dumbbell(const Dumbbell& d, double depth) {
     using std::numbers::pi;
-    require(std::isfinite(depth) && depth >= 0, "depth", depth, "a finite length of 0 or more");
     const Point<double> offset = rounding_offset(d);
     ExactShape shape;
     if (depth >= d.radius) {

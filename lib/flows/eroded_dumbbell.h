@@ -12,8 +12,7 @@ namespace dsc::scenes {
 /// radius and roundings, whose centres lie outside, gain it. At half the width of the neck its
 /// whole straight length closes at once: from then on there are two lobes, each bounded by an arc
 /// of its disc and two of roundings, which meet on the axis in a tip. Empty once `depth` reaches
-/// the radius of the discs. Throws InputError for a depth that is negative or not finite, or an
-/// invalid dumbbell.
+/// the radius of the discs. Throws InputError for an invalid dumbbell.
 [[nodiscard]] ExactShape eroded_dumbbell(const Dumbbell& dumbbell, double depth);
 
 } // namespace dsc::scenes

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "flows/exact.h"
 
-#include "dsc/base/error.h"
 #include "dsc/geometry/points.h"
 #include "measures/symmetric_difference.h"
 
@@ -206,7 +205,6 @@ ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& ce
 }
 
 ExactShape exact_circle(const Point<double>& centre, double radius, int vertices) {
-    require(vertices >= 8, "vertices of an exact circle", vertices, "at least 8");
     const ParametricCurve curve = circle_curve(centre, radius);
     const double angle = 2.0 * pi / vertices;
     const ParametricCurve outer = circle_curve(centre, radius * std::sqrt(angle / std::sin(angle)));
@@ -228,8 +226,6 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
 
 ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const FlowMap& rough,
                         const MarkerOptions& options) {
-    require(options.spacing > 0.0, "spacing of markers", options.spacing, "above 0");
-    require(options.deviation > 0.0, "deviation of markers", options.deviation, "above 0");
     const double unit = std::sqrt(curve.area);
     const double spacing = options.spacing * unit;
     const double deviation = options.deviation * unit;

@@ -17,8 +17,8 @@ namespace dsc::scenes {
 [[nodiscard]] ExactShape rotated_shape(std::span<const Outline> first, const Point<double>& centre,
                                        double angle);
 
-/// A circle as a polygon with exactly its area.
-/// Throws InputError for a radius that is not positive, or fewer than 8 vertices.
+/// A circle as a polygon with exactly its area. Throws InputError for a radius that is not
+/// positive.
 [[nodiscard]] ExactShape exact_circle(const Point<double>& centre, double radius,
                                       int vertices = 1 << 15);
 

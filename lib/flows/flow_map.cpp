@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "flows/flow_map.h"
 
-#include "dsc/base/error.h"
-
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
@@ -49,9 +47,6 @@ void advance(const Stretch& stretch, std::size_t count, Stepper& stepper, Block&
 } // namespace
 
 FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
-    require(begin <= end && std::isfinite(begin) && std::isfinite(end), "end of a flow map", end,
-            "finite, from " + to_text(begin));
-    require(steps >= 1, "steps of a flow map", steps, "at least 1");
     std::vector<double> ends;
     for (const Leg& leg : flow) {
         if (leg.end > begin && leg.end < end) {

@@ -15,8 +15,7 @@ using FlowMap = std::function<void(std::span<Point<double>> points)>;
 
 /// The solution of a flow from `begin` to `end`, by about `steps` steps of 13 velocities each, of
 /// order 8 (E. Fehlberg, "Classical fifth-, sixth-, seventh-, and eighth-order Runge-Kutta formulas
-/// with stepsize control", NASA TR R-287, 1968); no step straddles the end of a leg. Throws
-/// InputError unless begin <= end and steps >= 1.
+/// with stepsize control", NASA TR R-287, 1968); no step straddles the end of a leg.
 [[nodiscard]] FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps);
 
 } // namespace dsc::scenes

@@ -63,10 +63,6 @@ double asymptote(double c) {
     return std::atan(place.p);
 }
 
-void check_theta(double theta) {
-    require(theta > 0 && theta < pi / 3, "theta", theta, "above 0 and below pi / 3");
-}
-
 /// The part of the sector on one side of the x axis, in units of sqrt(t) from the centre: its area,
 /// and its curve from the junction to the border of the box.
 struct Part {
@@ -122,21 +118,15 @@ Part part_of_ray(double theta, double side, double top) {
 } // namespace
 
 ExactShape lens_shape(const Lens& lens) {
-    require(lens.area > 0 && std::isfinite(lens.area), "area of the lens", lens.area,
-            "finite and above 0");
-    const double length = lens.axis.norm();
-    require(length > 0 && std::isfinite(length), "length of the axis", length,
-            "finite and above 0");
     const double r = std::sqrt(lens.area / (2 * pi / 3 - std::numbers::sqrt3 / 2));
     const Point<double> to(0, r * std::cos(pi / 3)); // the centre of the arc below
     ExactShape shape;
-    append_arcs({lens.centre, lens.axis / length},
+    append_arcs({lens.centre, lens.axis.normalized()},
                 {{to, r, 7 * pi / 6, 11 * pi / 6}, {-to, r, pi / 6, 5 * pi / 6}}, shape);
     return shape;
 }
 
 double opening_factor(double theta) {
-    check_theta(theta);
     double low = 0;
     double high = 1;
     while (asymptote(high) > theta) {
@@ -151,16 +141,10 @@ double opening_factor(double theta) {
 }
 
 ExactShape right_sector(const FourSectors& sectors, double time, const Rectangle& box) {
-    check_theta(sectors.theta);
-    require(time >= 0 && std::isfinite(time), "time", time, "a finite time of 0 or more");
     const double c = opening_factor(sectors.theta);
     const double size = time > 0 ? std::sqrt(time) : 1;
-    const Point<double> junction = sectors.centre + Point<double>(time > 0 ? c / 2 * size : 0, 0);
-    require(junction.x() > box.low.x() && junction.x() < box.high.x(), "x of the right junction",
-            junction.x(), "inside the box");
-    require(junction.y() > box.low.y() && junction.y() < box.high.y(), "y of the right junction",
-            junction.y(), "inside the box");
     const double side = (box.high.x() - sectors.centre.x()) / size;
+    require(time == 0 || c / 2 < side, "time", time, "until the right junction leaves the box");
     const double above = (box.high.y() - sectors.centre.y()) / size;
     const double below = (sectors.centre.y() - box.low.y()) / size;
     const auto part = [&](double top) {

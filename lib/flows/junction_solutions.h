@@ -18,8 +18,7 @@ struct Lens {
     double area = 0.1;
 };
 
-/// Its shape. Throws InputError for an area that is not positive and finite, or an axis without a
-/// direction.
+/// Its shape.
 [[nodiscard]] ExactShape lens_shape(const Lens& lens);
 
 /// Four phases that meet in one point at time 0, along straight interfaces at the angles theta,
@@ -37,15 +36,14 @@ struct FourSectors {
 };
 
 /// The factor c: 0 at 60 degrees, where nothing drives the edge. By shooting, to about 1e-11;
-/// O(1e5) steps. Throws InputError for theta out of range.
+/// O(1e5) steps.
 [[nodiscard]] double opening_factor(double theta);
 
 /// The part of a box that the right one of the four phases holds, to about 1e-10; the curves are
 /// polygons whose error `own_error` states. Its area, as long as the box is so large that the
 /// curves are straight where they leave it, falls at the rate 2 (pi / 3 - theta). The box is
 /// parallel to the axes, and the curves leave it on its right side, or above and below. Throws
-/// InputError for theta out of range, a time that is negative or not finite, or a box without the
-/// right junction in its interior.
+/// InputError once the right junction has left it.
 [[nodiscard]] ExactShape right_sector(const FourSectors& sectors, double time,
                                       const Rectangle& box);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "flows/two_discs.h"
 
-#include "dsc/base/error.h"
 #include "flows/arcs.h"
 
 #include <cmath>
@@ -12,14 +11,8 @@ namespace dsc::scenes {
 ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage) {
     using std::numbers::pi;
     const double grown = discs.radius + growth;
-    require(std::isfinite(growth) && std::isfinite(grown) && grown > 0, "growth", growth,
-            "a finite length, and more than minus the radius");
-    require(std::isfinite(shrinkage) && shrinkage >= 0, "shrinkage", shrinkage,
-            "a finite length of 0 or more");
     const Point<double> way = discs.second - discs.first;
     const double d = way.norm() / 2;
-    require(d > 0 && std::isfinite(d), "distance of the centres", 2 * d,
-            "a positive finite length");
     // The centres are at -d and d on its x axis.
     const LocalFrame frame{(discs.first + discs.second) / 2, way / (2 * d)};
     ExactShape shape;

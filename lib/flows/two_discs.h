@@ -18,8 +18,7 @@ struct TwoDiscs {
 /// from the others. Where the discs have merged, arcs of that radius about the two notches take
 /// away from the neck, which is 2 (sqrt(R^2 - d^2) - shrinkage) wide; d is half the distance of the
 /// centres and R the radius after growth. When nothing is left of the neck, there are two pieces.
-/// Empty once the shrinkage reaches R. Throws InputError unless `growth` is finite and R positive,
-/// and for a shrinkage that is negative or not finite.
+/// Empty once the shrinkage reaches R. Growth may be negative, down to minus the radius.
 [[nodiscard]] ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage);
 
 } // namespace dsc::scenes

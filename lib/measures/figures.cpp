@@ -18,8 +18,6 @@ double number(const Figures& figures, std::string_view name) {
             }
         } else if (const auto* real = std::get_if<double>(&found->value)) {
             return *real;
-        } else if (const auto* count = std::get_if<std::uint64_t>(&found->value)) {
-            return static_cast<double>(*count);
         }
     }
     std::string names;

@@ -2,9 +2,6 @@
 // Named figures: the results of measures, in the order of measurement.
 #pragma once
 
-#include "dsc/base/types.h"
-
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,15 +13,15 @@ struct Figure;
 using Figures = std::vector<Figure>;
 
 /// NaN: could not be measured. A figure may have several figures as its parts.
-using Value = std::variant<double, std::uint64_t, std::string, Point<double>, Figures>;
+using Value = std::variant<double, Figures>;
 
 struct Figure {
     std::string name;
     Value value;
 };
 
-/// The number of this name; of a part: "jaggedness.beyond". Throws InputError, naming the figures
-/// that exist, if there is none or it is not a number. O(figures).
+/// The number of this name; of a part: "jaggedness.largest_excess_deg". Throws InputError, naming
+/// the figures that exist, if there is none or it is not a number. O(figures).
 [[nodiscard]] double number(const Figures& figures, std::string_view name);
 
 } // namespace dsc::scenes

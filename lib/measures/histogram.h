@@ -14,14 +14,10 @@ namespace dsc::scenes {
 struct Histogram {
     std::vector<double> edges;         ///< ascending, one more than there are bins
     std::vector<std::uint64_t> counts; ///< one per bin
-
-    /// The sum of the counts. O(bins).
-    [[nodiscard]] std::uint64_t total() const;
 };
 
 /// Counts values into bins of equal width; those beyond an end are counted in the bin at that end.
-/// Throws InputError where there is no bin, an end is not finite, the range is too small for that
-/// many bins, or a value is NaN. O(n log bins).
+/// O(n log bins).
 [[nodiscard]] Histogram make_histogram(std::span<const double> values, double low, double high,
                                        std::size_t bins);
 

@@ -136,8 +136,6 @@ Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const
         return result;
     }
     const ExactCurves curves(exact, scale);
-    CompensatedSum squares;
-    std::uint64_t vertices = 0;
     std::size_t guess = 0;
     for (const Outline& polygon : polygons) {
         const std::size_t n = polygon.size();
@@ -159,21 +157,16 @@ Jaggedness measure_jaggedness(std::span<const Outline> polygons, std::span<const
         for (std::size_t i = 0; i < n; ++i) {
             const std::size_t before = (i + n - 1) % n;
             const std::size_t after = (i + 1) % n;
-            const double turn = turn_deg(points[before], points[i], points[after]);
-            const double exact_turn = exact_turn_deg(curves, places[before], places[i],
-                                                     places[after], edges[i], edges[after]);
-            const double excess =
-                std::abs(turn) - (turn_factor * std::abs(exact_turn) + turn_slack_deg);
+            const double turn = std::abs(turn_deg(points[before], points[i], points[after]));
+            const double exact_turn = std::abs(exact_turn_deg(
+                curves, places[before], places[i], places[after], edges[i], edges[after]));
+            const double excess = turn - (turn_factor * exact_turn + turn_slack_deg);
             if (excess > result.largest_excess_deg) {
                 result.largest_excess_deg = excess;
                 result.worst = polygon[i];
             }
-            result.beyond += excess > 0.0 ? 1U : 0U;
-            squares.add((turn - exact_turn) * (turn - exact_turn));
-            ++vertices;
         }
     }
-    result.rms_deg = std::sqrt(squares.value() / static_cast<double>(vertices));
     return result;
 }
 

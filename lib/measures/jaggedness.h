@@ -5,21 +5,17 @@
 
 #include "shapes/outline.h"
 
-#include <cstdint>
 #include <limits>
 #include <span>
 
 namespace dsc::scenes {
 
-/// Turning angles in degrees, without their sign except for `rms_deg`. A vertex is jagged if it
-/// turns by more than twice the exact curve's turn plus 2 degrees.
+/// A vertex is jagged if it turns by more than twice the exact curve's turn plus 2 degrees.
 struct Jaggedness {
-    std::uint64_t beyond = 0; ///< vertices that are jagged
     /// The largest excess of a turn over what is allowed; not above 0 if no vertex is jagged, minus
     /// infinity if there are no vertices.
     double largest_excess_deg = -std::numeric_limits<double>::infinity();
     Point<double> worst{0.0, 0.0}; ///< the vertex of the largest excess
-    double rms_deg = 0.0;          ///< root of the mean square of turn - exact turn, with signs
 };
 
 /// Compares the turn at each vertex of `polygons` with that of the exact outlines over the same

@@ -71,26 +71,16 @@ std::vector<Junction> measure_junctions(const Complex<Real>& complex) {
 }
 
 JunctionFigures summarise(const std::vector<Junction>& junctions) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     JunctionFigures figures{.count = junctions.size(),
-                            .min_deg = nan,
-                            .max_deg = nan,
-                            .median_deviation_deg = nan,
-                            .worst_deviation_deg = nan};
-    std::vector<double> deviations;
+                            .worst_deviation_deg = std::numeric_limits<double>::quiet_NaN()};
     for (const Junction& junction : junctions) {
-        figures.min_deg = std::fmin(figures.min_deg, junction.min_deg); // a NaN gives way
-        figures.max_deg = std::fmax(figures.max_deg, junction.max_deg);
         if (junction.sectors > 3) {
             ++figures.crossings;
-        } else {
-            deviations.push_back(std::max(120 - junction.min_deg, junction.max_deg - 120));
+        } else { // a NaN gives way
+            figures.worst_deviation_deg =
+                std::fmax(figures.worst_deviation_deg,
+                          std::max(120 - junction.min_deg, junction.max_deg - 120));
         }
-    }
-    if (!deviations.empty()) {
-        std::ranges::sort(deviations);
-        figures.median_deviation_deg = deviations[deviations.size() / 2];
-        figures.worst_deviation_deg = deviations.back();
     }
     return figures;
 }

@@ -28,11 +28,8 @@ template <class Real>
 struct JunctionFigures {
     std::uint64_t count = 0;
     std::uint64_t crossings = 0; ///< of these, with four sectors or more
-    double min_deg = 0;          ///< of all angles; NaN without junctions
-    double max_deg = 0;          ///< the same
-    /// The median, over the junctions with three sectors, of the largest difference of their angles
-    /// from 120 degrees. NaN without such a junction.
-    double median_deviation_deg = 0;
+    /// The largest difference of an angle from 120 degrees, at junctions with three sectors. NaN
+    /// without such a junction.
     double worst_deviation_deg = 0;
 };
 

@@ -22,7 +22,6 @@ struct Moment {
     std::span<const Outline> outlines; ///< the interface as it is read between its vertices
     std::span<const Outline> polygons; ///< its vertices with straight edges
     const ExactShape* exact = nullptr; ///< null: only measures that need none are run
-    double area_first = 0;             ///< of the first outlines
     double area_exact_first = 0;       ///< of the first exact shape
     const Figures* figures = nullptr;  ///< the results of the measures before this one
 };
@@ -39,15 +38,10 @@ struct Measure {
     std::string description; ///< in a few words
     Needs needs = Needs::outlines;
     std::function<Value(const Moment&)> function;
-    std::vector<std::string> uses{}; ///< measures before it, whose values it reads
 };
 
 /// The measures of a run by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
-
-/// Those of these names, and those that they use, in the same order. Throws InputError for a name
-/// that there is not. O(measures * names).
-[[nodiscard]] std::vector<Measure> select_measures(const std::vector<std::string>& names);
 
 /// The value of each measure, in their order. `moment.figures` need not be set. Throws what the
 /// measures throw.

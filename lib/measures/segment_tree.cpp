@@ -4,7 +4,6 @@
 #include "dsc/geometry/points.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -57,55 +56,46 @@ SegmentTree::SegmentTree(std::vector<Segment> segments) : segments_(std::move(se
 }
 
 template <class Accept>
-Near SegmentTree::search(const Point<double>& p, Near best, double enough, Accept accept) const {
-    // Every level leaves at most one node behind, and there are at most 64 levels.
-    std::array<std::pair<std::size_t, double>, 130> stack;
-    std::size_t size = 0;
-    stack[size++] = {1, boxes_[1].exteriorDistance(p)};
-    while (size > 0) {
-        const auto [node, bound] = stack[--size];
-        if (bound >= best.distance) {
-            continue;
-        }
-        if (node < leaves_) {
-            std::pair near{2 * node, boxes_[2 * node].exteriorDistance(p)};
-            std::pair far{2 * node + 1, boxes_[2 * node + 1].exteriorDistance(p)};
-            if (far.second < near.second) {
-                std::swap(near, far);
-            }
-            stack[size++] = far;
-            stack[size++] = near;
-            continue;
-        }
-        const std::size_t begin = (node - leaves_) * leaf;
-        const std::size_t end = std::min(begin + leaf, segments_.size());
-        for (std::size_t i = begin; i < end; ++i) {
-            const double distance = segments_[i].distance(p);
-            if (distance < best.distance && accept(segments_[i])) {
-                best = {i, distance};
-            }
-        }
-        if (best.distance <= enough) {
-            return best;
+void SegmentTree::search(std::size_t node, double bound, const Query& query, Accept accept,
+                         Near& best) const {
+    if (bound >= best.distance || best.distance <= query.enough) {
+        return;
+    }
+    if (node < leaves_) {
+        const double left = boxes_[2 * node].exteriorDistance(query.point);
+        const double right = boxes_[2 * node + 1].exteriorDistance(query.point);
+        const bool is_right_first = right < left;
+        search(2 * node + (is_right_first ? 1 : 0), std::min(left, right), query, accept, best);
+        search(2 * node + (is_right_first ? 0 : 1), std::max(left, right), query, accept, best);
+        return;
+    }
+    const std::size_t begin = (node - leaves_) * leaf;
+    const std::size_t end = std::min(begin + leaf, segments_.size());
+    for (std::size_t i = begin; i < end; ++i) {
+        const double distance = segments_[i].distance(query.point);
+        if (distance < best.distance && accept(segments_[i])) {
+            best = {i, distance};
         }
     }
-    return best;
 }
 
 Near SegmentTree::nearest(const Point<double>& p, std::size_t guess, double enough) const {
-    const Near first{guess, segments_[guess].distance(p)};
-    return first.distance <= enough ? first
-                                    : search(p, first, enough, [](const Segment&) { return true; });
+    Near best{guess, segments_[guess].distance(p)};
+    search(
+        1, 0, {p, enough}, [](const Segment&) { return true; }, best);
+    return best;
 }
 
 std::optional<Near> SegmentTree::nearest_along(const Point<double>& p,
                                                const Point<double>& direction,
                                                double within) const {
     const std::size_t none = segments_.size();
-    const Near found = search(p, {none, within}, 0.0, [&](const Segment& segment) {
+    Near best{none, within};
+    const auto runs_along = [&](const Segment& segment) {
         return direction.dot(segment.b - segment.a) >= 0.0;
-    });
-    return found.segment == none ? std::nullopt : std::optional(found);
+    };
+    search(1, 0, {p, 0}, runs_along, best);
+    return best.segment == none ? std::nullopt : std::optional(best);
 }
 
 } // namespace dsc::scenes

@@ -55,9 +55,15 @@ public:
     nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;
 
 private:
-    /// The nearest accepted segment nearer than `best`, otherwise `best`; stops at `enough`.
+    struct Query {
+        Point<double> point;
+        double enough; ///< no nearer segment is looked for
+    };
+
+    /// Replaces `best` by the nearest accepted segment below a node, if that is nearer.
     template <class Accept>
-    Near search(const Point<double>& p, Near best, double enough, Accept accept) const;
+    void search(std::size_t node, double bound, const Query& query, Accept accept,
+                Near& best) const;
 
     std::vector<Segment> segments_;
     std::size_t leaves_ = 1;

@@ -25,8 +25,6 @@ double signed_area(std::span<const Outline> outlines) {
     return 0.5 * doubled.value();
 }
 
-double area_drift(double area, double reference) { return (area - reference) / reference; }
-
 double perimeter(const Outline& outline) { return perimeter(std::span(&outline, 1)); }
 
 double perimeter(std::span<const Outline> outlines) {

@@ -23,9 +23,6 @@ using Outline = std::vector<Point<double>>;
 /// Sum of the signed areas: the area of a region whose holes run clockwise.
 [[nodiscard]] double signed_area(std::span<const Outline> outlines);
 
-/// The relative change of an area, A(t) / A(0) - 1.
-[[nodiscard]] double area_drift(double area, double reference);
-
 [[nodiscard]] double perimeter(const Outline& outline);
 [[nodiscard]] double perimeter(std::span<const Outline> outlines);
 

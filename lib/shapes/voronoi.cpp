@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shapes/voronoi.h"
 
-#include "dsc/base/error.h"
 #include "shapes/voronoi_diagram.h"
 
-#include <cmath>
+#include <utility>
 
 namespace dsc::scenes {
 
@@ -25,10 +24,6 @@ double next_fraction(std::uint64_t& state) {
 
 std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point<double>> sites,
                                   double shortest) {
-    require(sites.size() >= 2, "number of sites", static_cast<double>(sites.size()),
-            "2 or more: curves name the phases, and one cell has none");
-    require(shortest >= 0 && std::isfinite(shortest), "shortest", shortest,
-            "a finite number, 0 or above");
     VoronoiDiagram diagram = voronoi_diagram(domain, sites);
     if (shortest > 0) {
         diagram = without_short_edges(std::move(diagram), shortest);
@@ -52,7 +47,6 @@ std::vector<Curve> voronoi_curves(const Rectangle& domain, std::span<const Point
 
 std::vector<Point<double>> relaxed_sites(const Rectangle& domain,
                                          std::span<const Point<double>> sites, int rounds) {
-    require(rounds >= 0, "rounds of relaxation", rounds, "0 or more");
     std::vector<Point<double>> result(sites.begin(), sites.end());
     for (int round = 0; round < rounds; ++round) {
         const VoronoiDiagram diagram = voronoi_diagram(domain, result);

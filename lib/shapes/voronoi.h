@@ -21,16 +21,15 @@ namespace dsc::scenes {
 /// or would not be seen as a whole from its centre any more. Short edges make small triangles: a
 /// third of the mesh's edge length avoids these.
 ///
-/// O(n log n). Throws InputError for fewer than two sites; for a site that is not finite or lies
-/// outside the domain; where sites coincide, up to 2e-9 of the domain; and where it is not certain
-/// which cells meet: at a vertex at a corner of the domain, or at several vertices that are nearly
-/// one.
+/// O(n log n). Throws InputError where sites coincide, up to 2e-9 of the domain; and where it is
+/// not certain which cells meet: at a vertex at a corner of the domain, or at several vertices that
+/// are nearly one.
 [[nodiscard]] std::vector<Curve>
 voronoi_curves(const Rectangle& domain, std::span<const Point<double>> sites, double shortest = 0);
 
 /// Moves each site to the centroid of its cell, that many times (S. P. Lloyd, "Least squares
 /// quantization in PCM", 1982): cells become rounder and edges longer. O(n log n) a round.
-/// Throws InputError for sites as above, if there are any, and for negative rounds.
+/// Throws InputError for sites as above.
 [[nodiscard]] std::vector<Point<double>>
 relaxed_sites(const Rectangle& domain, std::span<const Point<double>> sites, int rounds);
 

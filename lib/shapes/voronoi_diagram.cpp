@@ -63,30 +63,6 @@ std::string site_name(std::size_t site) { return "site " + std::to_string(site);
                       .allowed = "sites in general position; if need be, shifted a little"});
 }
 
-void check_sites(const Rectangle& domain, std::span<const Point<double>> sites) {
-    const Point<double> size = domain.high - domain.low;
-    if (!size.allFinite() || !(size.minCoeff() > 0) || !std::isfinite(size.prod())) {
-        throw InputError({.what = "the rectangle is empty or out of range",
-                          .where = "domain",
-                          .value = to_text(domain.low) + " to " + to_text(domain.high),
-                          .allowed = "low below high in x and y, and an area that is finite"});
-    }
-    require(sites.size() < bottom_side, "number of sites", static_cast<double>(sites.size()),
-            "fewer than " + to_text(bottom_side));
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-        const Point<double>& s = sites[i];
-        const bool inside =
-            (s.array() >= domain.low.array()).all() && (s.array() <= domain.high.array()).all();
-        if (!inside) { // a NaN is not inside either
-            throw InputError(
-                {.what = "the site is not in the domain",
-                 .where = site_name(i),
-                 .value = to_text(s),
-                 .allowed = "points in " + to_text(domain.low) + " to " + to_text(domain.high)});
-        }
-    }
-}
-
 // The sites on the grid, and behind them their images at the four sides, n each.
 std::vector<GridPoint> with_images(const Rectangle& domain, std::span<const Point<double>> sites) {
     const Point<double> size = domain.high - domain.low;
@@ -205,7 +181,6 @@ bool is_seen_from(const Point<double>& point, std::span<const Point<double>> cor
 }
 
 VoronoiDiagram voronoi_diagram(const Rectangle& domain, std::span<const Point<double>> sites) {
-    check_sites(domain, sites);
     VoronoiDiagram diagram{.domain = domain,
                            .sites = {sites.begin(), sites.end()},
                            .vertices = {domain.low,

@@ -50,9 +50,8 @@ inline constexpr std::uint32_t domain_corners = 4;
 [[nodiscard]] bool is_seen_from(const Point<double>& point, std::span<const Point<double>> corners,
                                 std::span<const std::uint32_t> beyond);
 
-/// The diagram of the sites. O(n log n). Throws InputError for a domain that is empty or not
-/// finite, a site that is not finite or outside the domain, sites that coincide, a vertex at a
-/// corner of the domain, and cells that are not sound once their vertices are rounded.
+/// The diagram of sites in the domain. O(n log n). Throws InputError for sites that coincide, a
+/// vertex at a corner of the domain, and cells that are not sound once their vertices are rounded.
 [[nodiscard]] VoronoiDiagram voronoi_diagram(const Rectangle& domain,
                                              std::span<const Point<double>> sites);
 

@@ -145,7 +145,6 @@ TEST(FlowMap, ReversalKeepsTheOrder) {
     EXPECT_EQ(&velocity_of_step(flow, 2.5, 2.6), &flow[0].velocity);
     EXPECT_EQ(&velocity_of_step(flow, 2.6, 2.7), &flow[1].velocity);
     EXPECT_THROW((void)velocity_of_step({}, 0, 1), InputError);
-    EXPECT_THROW((void)runge_kutta_map(flow, 1.0, 0.0, 10), InputError);
 }
 
 TEST(Exact, CircleHasTheAreaAndTheErrorItStates) {

@@ -2,7 +2,6 @@
 // Two discs that grow, merge and shrink, against an area that is found from distances alone.
 #include "flows/two_discs.h"
 
-#include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
 #include "support/outline_testing.h"
 
@@ -44,15 +43,6 @@ TEST(TwoDiscs, MergeAndPart) {
     const double before = shrunk_discs(discs, 0, 0).area;
     EXPECT_NEAR(shrunk_discs(discs, 0.02, 0.02).area, before, 1e-15);
     EXPECT_GT(shrunk_discs(discs, 0.1, 0.1).area, before + 1e-3);
-}
-
-TEST(TwoDiscs, RefuseWhatIsNoShape) {
-    const TwoDiscs discs;
-    EXPECT_THROW((void)shrunk_discs(discs, -0.1, 0), InputError);
-    EXPECT_THROW((void)shrunk_discs(discs, NAN, 0), InputError);
-    EXPECT_THROW((void)shrunk_discs(discs, 0.1, -0.01), InputError);
-    EXPECT_THROW((void)shrunk_discs(discs, 0.1, INFINITY), InputError);
-    EXPECT_THROW((void)shrunk_discs({.second = {0.375, 0.5}}, 0.1, 0), InputError);
 }
 
 } // namespace

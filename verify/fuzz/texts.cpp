@@ -91,13 +91,12 @@ std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes) {
 
 std::uint64_t run_outlines(std::span<const std::uint8_t> bytes) {
     Bytes decoder(bytes);
-    const std::uint32_t kind = decoder.below(3);
+    const std::uint32_t kind = decoder.below(2);
     const std::string text = decoder.text();
     return end_or_explain([&] {
         switch (kind) {
         case 0: check_finite_or_closed(scenes::read_points(text, true, "file")); break;
-        case 1: check_finite_or_closed(scenes::read_points(text, false, "file")); break;
-        default: check_finite_or_closed(scenes::read_geojson(text, "file")); break;
+        default: check_finite_or_closed(scenes::read_points(text, false, "file")); break;
         }
     });
 }

@@ -83,10 +83,9 @@ std::string why_not(const Check& check, const Case& of) {
     if (check.group == "fluid" && !setup.fluid) {
         return "the scene has no fluid";
     }
-    const scenes::Measured measured{of.file.measures, of.file.measures_shape};
     const bool is_ours = of.path.empty(); // which know their shape half-way
     for (const std::string& figure : check.figures) {
-        std::string reason = scenes::why_missing(figure, measured, setup, is_ours);
+        std::string reason = scenes::why_missing(figure, setup, is_ours);
         if (!reason.empty()) {
             return reason;
         }

@@ -23,8 +23,7 @@ scenes::RunOptions Configuration::options() const {
     options.submeshing.threads = threads;
     options.submeshing.always_all_threads = is_shared;
     options.stop_after = is_shared ? shared_steps : 0;
-    options.measures = of->file.measures;
-    options.measure_shape = !is_shared && of->file.measures_shape;
+    options.measure_shape = !is_shared;
     return options;
 }
 

@@ -51,9 +51,7 @@ TEST(Jaggedness, OfAnInscribedPolygonIsThatOfTheCircle) {
     }
     const ExactShape exact = exact_circle({0.5, 0.4}, 0.3);
     const Jaggedness j = jaggedness(polygon, exact.outlines.front());
-    EXPECT_EQ(j.beyond, 0U);
     EXPECT_LT(j.largest_excess_deg, -2.0);
-    EXPECT_LT(j.rms_deg, 1e-3);
 }
 
 /// The unit square with edges of 0.1.
@@ -65,31 +63,15 @@ TEST(Jaggedness, FindsATooth) {
     const std::size_t tooth = index_of(polygon, {0.5, 0});
     polygon[tooth].y() -= 0.1 * std::tan(1.5 * pi / 180);
     const Jaggedness j = jaggedness(polygon, plain_square);
-    EXPECT_EQ(j.beyond, 1U) << "its neighbours turn by 1.5 degrees only";
     EXPECT_EQ(j.worst, polygon[tooth]);
     EXPECT_NEAR(j.largest_excess_deg, 1.0, 1e-9);
-    EXPECT_NEAR(j.rms_deg, std::sqrt((9.0 + 2 * 2.25) / 40), 1e-9);
-}
-
-TEST(Jaggedness, ComparesSignsInTheMean) {
-    // A dent where the circle bulges: within the limit, and yet wrong by both turns.
-    const Outline exact = circle({0, 0}, 1.0, 1e-3);
-    Outline polygon = circle({0, 0}, 1.0, 2 * pi / 360);
-    const double turn = pi / 180;
-    const std::size_t dent = 90;
-    polygon[dent] *= 1.0 - turn * turn; // twice the sagitta, and so the turn of its mirror image
-    const Jaggedness j = jaggedness(polygon, exact);
-    EXPECT_EQ(j.beyond, 0U);
-    EXPECT_NEAR(j.rms_deg, std::sqrt((4.0 + 2.0) / 360), 1e-3);
 }
 
 TEST(Jaggedness, CornersOfTheExactShapeAreNone) {
     for (const double h : {0.004, 0.01, 0.024}) {
         const Outline exact = unmoved_shape(slotted_disc_curve({})).outlines.front();
         const Outline polygon = slotted_disc({}, h);
-        const Jaggedness whole = jaggedness(polygon, exact);
-        EXPECT_EQ(whole.beyond, 0U);
-        EXPECT_LT(whole.rms_deg, 0.02) << "facets of the exact outline";
+        EXPECT_LE(jaggedness(polygon, exact).largest_excess_deg, 0);
         // Without the vertices at the corners: two turns instead of one.
         Outline cut;
         const auto corners = slot_corners({});
@@ -98,7 +80,7 @@ TEST(Jaggedness, CornersOfTheExactShapeAreNone) {
                 cut.push_back(p);
             }
         }
-        EXPECT_EQ(jaggedness(cut, exact).beyond, 0U);
+        EXPECT_LE(jaggedness(cut, exact).largest_excess_deg, 0);
     }
 }
 
@@ -107,13 +89,10 @@ TEST(Jaggedness, AFoldExcusesNothing) {
     const std::size_t i = index_of(polygon, {0.5, 0});
     std::swap(polygon[i], polygon[i + 1]);
     const Jaggedness j = jaggedness(polygon, plain_square);
-    EXPECT_EQ(j.beyond, 2U);
     EXPECT_NEAR(j.largest_excess_deg, 178.0, 1e-9);
     // Beside a corner that lies nearer than the fold is long, but not within the fold.
     const Outline beside{{0, 0}, {0.5, 0}, {0.15, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}};
-    const Jaggedness k = jaggedness(beside, plain_square);
-    EXPECT_EQ(k.beyond, 2U);
-    EXPECT_NEAR(k.rms_deg, std::sqrt(2 * 180.0 * 180.0 / 7), 1e-9);
+    EXPECT_NEAR(jaggedness(beside, plain_square).largest_excess_deg, 178.0, 1e-9);
 }
 
 TEST(Jaggedness, TheFarSideOfAFilamentExcusesNothing) {
@@ -127,7 +106,6 @@ TEST(Jaggedness, TheFarSideOfAFilamentExcusesNothing) {
         }
     }
     const Jaggedness j = jaggedness(polygon, exact);
-    EXPECT_EQ(j.beyond, 19U);
     EXPECT_NEAR(j.largest_excess_deg, 2.0 * degrees(std::atan(0.06)) - 2.0, 1e-6);
 }
 

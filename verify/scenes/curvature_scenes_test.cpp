@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The scenes of curvature flow against their closed forms, and the dumbbell's area against a second
-// computation.
+// The scenes of curvature flow against their closed forms.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
 #include "shapes/shapes.h"
 
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
-#include "support/outline_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -72,20 +70,6 @@ TEST(CurvatureScenes, AreNotForTheReference) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.where(), "--strategy"); // and not that there is no velocity
     }
-}
-
-TEST(Dumbbell, HasTheAreaOfItsOutline) {
-    const Dumbbell wide{
-        .centre = {1, 2}, .radius = 0.2, .distance = 0.7, .neck = 0.2, .rounding = 0.03};
-    for (const Dumbbell& d : {Dumbbell{}, wide}) {
-        const Outline outline = dumbbell(d, 1e-4);
-        EXPECT_TRUE(test::is_simple(outline));
-        EXPECT_LE(test::longest_edge(outline), 1e-4 * (1 + 1e-9));
-        EXPECT_NEAR(signed_area(outline), dumbbell_area(d), 1e-8);
-    }
-    EXPECT_THROW((void)dumbbell({.neck = 0.3}, 0.01), InputError);
-    EXPECT_THROW((void)dumbbell({.distance = 0.3}, 0.01), InputError);
-    EXPECT_THROW((void)dumbbell({.rounding = 0}, 0.01), InputError);
 }
 
 } // namespace

@@ -17,12 +17,8 @@ TEST(Jagged, LinearInsertionIsJagged) {
     const RunResult cubic = run_scene(scene, parameters, {});
     parameters.insertion = Insertion::linear;
     const RunResult linear = run_scene(scene, parameters, {});
-    EXPECT_EQ(number(cubic.last, "jaggedness.beyond"), 0);
     EXPECT_LE(number(cubic.last, "jaggedness.largest_excess_deg"), 0.0);
-    EXPECT_GT(number(linear.last, "jaggedness.beyond"), 0);
     EXPECT_GT(number(linear.last, "jaggedness.largest_excess_deg"), 0.0);
-    EXPECT_GT(number(linear.last, "jaggedness.rms_deg"),
-              2 * number(cubic.last, "jaggedness.rms_deg"));
 }
 
 } // namespace

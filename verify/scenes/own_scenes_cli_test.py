@@ -14,7 +14,8 @@ h = 0.05
 dt = 0.05
 period = 1
 [flow]
-swirl = { period = 1 }
+u = "sin(pi*x)^2 * sin(2*pi*y) * cos(pi*t/period)"
+v = "-sin(pi*y)^2 * sin(2*pi*x) * cos(pi*t/period)"
 [[shape]]
 circle = { centre = [0.5, 0.7], radius = 0.15 }
 [exact]
@@ -78,7 +79,7 @@ class WhereItFails(OwnScenes):
         place = row["place"]
         measured = row["measured"]
         self.assertIn(f"an angle of {measured:.4g} degrees", place["what"])
-        for words in (place["what"], "mine.toml:13", "again     dsc_scene run", place["picture"]):
+        for words in (place["what"], "mine.toml:14", "again     dsc_scene run", place["picture"]):
             self.assertIn(words, text)
         svg = xml.parse(self.path(place["picture"])).getroot()
         self.assertTrue(svg.tag.endswith("svg"))
@@ -121,7 +122,7 @@ class Judged(OwnScenes):
                                      "limits.min_angle_deg_last.least",
                                      "limits.area_ratio.least", "limits.area_ratio.most"})
         self.assertEqual(rows["limits.min_angle_deg_last.least"]["sense"], ">=")
-        self.assertIn("mine.toml:13: [limits] sd_rel_last", rows["limits.sd_rel_last"]["note"])
+        self.assertIn("mine.toml:14: [limits] sd_rel_last", rows["limits.sd_rel_last"]["note"])
         self.assertEqual(rows["limits.sd_rel_last"]["scene"], "mine")
 
     def test_by_a_suite(self):

@@ -123,21 +123,6 @@ class Frames(CommandLine):
         root = xml.parse(os.path.join(self.folder, "f", pictures[0])).getroot()
         self.assertTrue(root.tag.endswith("svg"))
 
-    def test_outlines_of_frames(self):
-        done = self.call("run", "swirl", *SHORT, "--frames", "f", "--every", "4", "--outlines",
-                         "o.geojson")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        frames = [name for name in self.files() if name.endswith(".vtu")]
-        self.assertEqual(len(frames), 3)
-        texts = []
-        for name in frames:
-            path = os.path.join(self.folder, "f", name.replace(".vtu", ".geojson"))
-            with open(path, encoding="utf-8") as stream:
-                texts.append(stream.read())
-        self.assertEqual(len(set(texts)), 3, "each is that of its own step")
-        with open(self.path("o.geojson"), encoding="utf-8") as stream:
-            self.assertEqual(stream.read(), texts[-1])
-
 
 if __name__ == "__main__":
     unittest.main()

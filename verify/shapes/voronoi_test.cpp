@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <random>
 #include <set>
 
@@ -173,46 +172,20 @@ TEST(VoronoiSites, RandomOnesAreTheSameEverywhere) {
 
 // --- errors --------------------------------------------------------------------------------------
 
-template <class Call>
-void expect_error(const Call& call, const std::string& where, const std::string& words) {
+void expect_error(const Sites& sites, const std::string& where, const std::string& words) {
     try {
-        static_cast<void>(call());
+        (void)voronoi_curves({}, sites);
         ADD_FAILURE() << "no error; expected: " << where << ": " << words;
     } catch (const InputError& error) {
         EXPECT_EQ(error.where(), where) << error.what();
-        EXPECT_NE(error.problem().find(words), std::string::npos) << error.what();
-        EXPECT_FALSE(error.value().empty());
-        EXPECT_FALSE(error.allowed().empty());
+        EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
-}
-
-void expect_error(const Sites& sites, const std::string& where, const std::string& words) {
-    expect_error([&] { return voronoi_curves({}, sites); }, where, words);
 }
 
 TEST(VoronoiErrors, Sites) {
-    constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-    expect_error(Sites{}, "number of sites", "out of range");
-    expect_error(Sites{{0.5, 0.5}}, "number of sites", "out of range");
-    expect_error(Sites{{0.5, 0.5}, {1.5, 0.5}}, "site 1", "not in the domain");
-    expect_error(Sites{{0.5, not_a_number}, {0.5, 0.5}}, "site 0", "not in the domain");
     expect_error(Sites{{0.2, 0.5}, {0.7, 0.5}, {0.2, 0.5}}, "site 0", "coincide");
     // The bisector goes through two corners of the domain.
     expect_error(Sites{{0.25, 0.75}, {0.75, 0.25}}, "site 0, site 1, side 0, side 3", "corner");
-}
-
-TEST(VoronoiErrors, DomainAndOptions) {
-    const Sites sites{{0.25, 0.5}, {0.75, 0.5}};
-    const double infinity = std::numeric_limits<double>::infinity();
-    for (const Rectangle& bad :
-         {Rectangle{{0, 0}, {0, 1}}, Rectangle{{0, 0}, {1, infinity}}, Rectangle{{1, 1}, {0, 0}}}) {
-        expect_error([&] { return voronoi_diagram(bad, sites); }, "domain", "empty");
-    }
-    for (const double bad : {-1.0, infinity, std::nan("")}) {
-        expect_error([&] { return voronoi_curves({}, sites, bad); }, "shortest", "out of range");
-    }
-    expect_error([&] { return relaxed_sites({}, sites, -1); }, "rounds of relaxation",
-                 "out of range");
 }
 
 } // namespace

@@ -17,7 +17,7 @@ using std::numbers::pi;
 
 /// A scene of a fluid. All lengths are in units of the domain.
 struct Tank {
-    Scene about; ///< its name, description and section
+    Scene about; ///< its name, description, section and what it changes of the defaults
     double h = 0.04;
     double duration = 1;
     double dt = 0.01; ///< the time step
@@ -31,23 +31,15 @@ struct Tank {
     std::function<double(const Point<double>& place, double time)> edges{};
     double shortest = 0;  ///< of these edges, over h
     double tolerance = 0; ///< of the error of a step, in edges there, over h squared; 0: none
-    Topology topology = Topology::keep;
-    double contact = 0; ///< as the parameter of that name
-    double least_area = 1;
-    bool follows_seams = true;
 };
 
 Scene scene_of(const Tank& tank) {
     Scene scene = tank.about;
-    scene.defaults = {.h = tank.h,
-                      .dt = 0,
-                      .interface = {.longest = 1.05}, // as long as they are at the start
-                      .topology = tank.topology,
-                      .contact = tank.contact,
-                      .least_area = tank.least_area,
-                      .follows_seams = tank.follows_seams,
-                      .grade = 1.3,
-                      .gives_back = tank.topology == Topology::change};
+    scene.defaults.h = tank.h;
+    scene.defaults.dt = 0;
+    scene.defaults.interface.longest = 1.05; // as long as they are at the start
+    scene.defaults.grade = 1.3;
+    scene.defaults.gives_back = scene.defaults.topology == Topology::change;
     scene.prepare = [tank](const Parameters& p) {
         Setup setup = scheduled(p, tank.duration, tank.dt);
         setup.domain = tank.domain;
@@ -85,6 +77,8 @@ constexpr double slack = 0.999;
 
 /// The longest edge of a drop with a small wave, over those of a circle.
 constexpr double stretched = 1.03;
+
+Parameters merging() { return {.topology = Topology::change}; }
 
 constexpr Walls all_slip{Wall::slip, Wall::slip, Wall::slip, Wall::slip};
 constexpr Walls slip_at_sides{.left = Wall::slip, .right = Wall::slip};
@@ -276,11 +270,13 @@ Tank rising_bubble() {
 // where it is thinner than a fixed distance and thins on, and the drops that come off it stay.
 Tank rising_bubble_2() {
     Tank tank = rising_bubble();
-    tank.about = {"rising-bubble-2", "a bubble grows a skirt: case 2 of Hysing et al.", "fluid"};
-    tank.topology = Topology::change;
-    tank.contact = 0.004;
-    tank.least_area = 0.1;
-    tank.follows_seams = false;
+    tank.about = {.name = "rising-bubble-2",
+                  .description = "a bubble grows a skirt: case 2 of Hysing et al.",
+                  .section = "fluid",
+                  .defaults = {.topology = Topology::change,
+                               .contact = 0.004,
+                               .least_area = 0.1,
+                               .follows_seams = false}};
     tank.fluids = two_fluids({.density = 1000, .viscosity = 10}, {.density = 1, .viscosity = 0.1},
                              1.96, 0.98, slip_at_sides);
     return tank;
@@ -290,7 +286,7 @@ Tank rising_bubble_2() {
 
 // The example of the thesis (section 13) with real fluids.
 Tank falling_drop() {
-    return {.about = {"falling-drop", "a drop falls into a pool, which takes it", "13"},
+    return {.about = {"falling-drop", "a drop falls into a pool, which takes it", "13", merging()},
             .h = 0.02,
             .duration = 1.5,
             .dt = 0.005,
@@ -298,15 +294,13 @@ Tank falling_drop() {
             .fluids = two_fluids({.density = 10, .viscosity = 0.1},
                                  {.density = 1000, .viscosity = 5}, 20, 1, all_slip),
             .longest = 5,
-            .fill =
-                [](double h, Setup& setup) {
-                    add_level(
-                        h, [](double) { return 0.5; }, setup);
-                    Outline drop = disc({0.5, 0.8}, 0.15, h);
-                    drop.push_back(drop.front());
-                    setup.curves.push_back({.points = drop, .left = 1, .right = exterior_phase});
-                },
-            .topology = Topology::change};
+            .fill = [](double h, Setup& setup) {
+                add_level(
+                    h, [](double) { return 0.5; }, setup);
+                Outline drop = disc({0.5, 0.8}, 0.15, h);
+                drop.push_back(drop.front());
+                setup.curves.push_back({.points = drop, .left = 1, .right = exterior_phase});
+            }};
 }
 
 Tank rayleigh_taylor() {
@@ -326,7 +320,7 @@ Tank rayleigh_taylor() {
 
 // Thirty of five sizes, in rows that are shifted against each other.
 Tank bubbles() {
-    return {.about = {"bubbles", "thirty bubbles rise and merge", "fluid"},
+    return {.about = {"bubbles", "thirty bubbles rise and merge", "fluid", merging()},
             .h = 0.015,
             .duration = 4,
             .dt = 0.01,
@@ -334,18 +328,16 @@ Tank bubbles() {
             .fluids = two_fluids({.density = 1000, .viscosity = 2},
                                  {.density = 100, .viscosity = 0.2}, 10, 0.98, slip_at_sides),
             .longest = 6,
-            .fill =
-                [](double h, Setup& setup) {
-                    constexpr int columns = 5;
-                    constexpr int rows = 6;
-                    for (int i = 0; i < columns * rows; ++i) {
-                        const int row = i / columns;
-                        const double x = (i % columns + (row % 2 == 0 ? 0.35 : 0.65)) / columns;
-                        const double radius = 0.036 + 0.007 * ((3 * i + 2 * row) % 5);
-                        add_disc({x, 0.15 + 0.17 * row}, radius, h, setup);
-                    }
-                },
-            .topology = Topology::change};
+            .fill = [](double h, Setup& setup) {
+                constexpr int columns = 5;
+                constexpr int rows = 6;
+                for (int i = 0; i < columns * rows; ++i) {
+                    const int row = i / columns;
+                    const double x = (i % columns + (row % 2 == 0 ? 0.35 : 0.65)) / columns;
+                    const double radius = 0.036 + 0.007 * ((3 * i + 2 * row) % 5);
+                    add_disc({x, 0.15 + 0.17 * row}, radius, h, setup);
+                }
+            }};
 }
 
 } // namespace

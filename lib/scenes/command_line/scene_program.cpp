@@ -8,7 +8,6 @@
 #include "scenes/file/scene_file.h"
 #include "scenes/file/text_file.h"
 #include "scenes/name_list.h"
-#include "scenes/output/event_lines.h"
 #include "scenes/output/machine.h"
 #include "scenes/output/write_file.h"
 #include "scenes/run/json.h"
@@ -18,13 +17,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -44,13 +41,11 @@ struct Arguments {
     std::optional<std::string> scene;
     std::vector<std::string> settings;
     std::optional<std::string> strategy;
-    std::string angle = "0";
     RunOptions run;
     std::optional<std::uint32_t> threads;
     std::optional<std::string> events;
     std::optional<std::string> json;
     std::optional<std::string> series;
-    std::optional<std::string> outlines;
     std::optional<std::string> edits;
     std::optional<std::string> pictures;
     std::optional<std::string> checkpoint;
@@ -80,23 +75,16 @@ void print_events(const std::vector<Event>& events) {
     }
 }
 
-// NaN where the scene file leaves the measure out.
-double figure_if_taken(const Figures& figures, const std::string& name) {
-    return std::ranges::find(figures, name, &Figure::name) == figures.end()
-               ? std::numeric_limits<double>::quiet_NaN()
-               : number(figures, name);
-}
-
 void print_summary(const RunResult& r) {
     std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
               << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
     // The exact shape of a network is not known.
-    if (const double difference = figure_if_taken(r.last, "sd_rel"); std::isfinite(difference)) {
+    if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
     }
-    if (r.half && std::isfinite(figure_if_taken(*r.half, "sd_rel"))) {
+    if (r.half && std::isfinite(number(*r.half, "sd_rel"))) {
         std::cout << " (half-way " << number(*r.half, "sd_rel") << ")";
     }
     print_events(r.events);
@@ -106,27 +94,11 @@ void print_summary(const RunResult& r) {
                   << number(r.fluid, "solve_s") << " s, assembly " << number(r.fluid, "assembly_s")
                   << " s, mesh " << number(r.fluid, "dsc_s") << " s";
     }
-    std::cout << "\n  worst quality " << figure_if_taken(r.last, "min_quality") << " (ever "
-              << r.min_quality_ever << "), smallest angle "
-              << figure_if_taken(r.last, "min_angle_deg") << " degrees\n  inverted " << r.inverted
-              << ", unreached " << r.unreached << "\n  " << r.step_us_median
-              << " us a step (median), " << r.cpu_s << " s CPU, " << std::setprecision(4)
-              << r.peak_memory_mb << " MB\n";
-}
-
-void parse_angle(const std::string& angle, Submeshing& submeshing) {
-    if (angle == "shape") {
-        submeshing.follow_shape = true;
-        return;
-    }
-    const char* end = angle.data() + angle.size();
-    const auto [stop, error] = std::from_chars(angle.data(), end, submeshing.degrees);
-    if (error != std::errc{} || stop != end || !std::isfinite(submeshing.degrees)) {
-        throw InputError({.what = "not a direction",
-                          .where = "--angle",
-                          .value = "'" + angle + "'",
-                          .allowed = "degrees from the x axis, or shape"});
-    }
+    std::cout << "\n  worst quality " << number(r.last, "min_quality") << " (ever "
+              << r.min_quality_ever << "), smallest angle " << number(r.last, "min_angle_deg")
+              << " degrees\n  inverted " << r.inverted << ", unreached " << r.unreached << "\n  "
+              << r.step_us_median << " us a step (median), " << r.cpu_s << " s CPU, "
+              << std::setprecision(4) << r.peak_memory_mb << " MB\n";
 }
 
 // The accepted values of the keys, and what each strategy is, one line each.
@@ -139,11 +111,6 @@ std::string details() {
     text << "Strategies:\n";
     for (const StrategyEntry& strategy : strategies()) {
         text << "  " << std::setw(12) << strategy.name << strategy.description << '\n';
-    }
-    text << "Measures, in the result with _last and _half:\n";
-    for (const Measure& measure : default_measures()) {
-        text << "  " << std::setw(18) << measure.name << measure.description << " [" << measure.unit
-             << "]\n";
     }
     return text.str();
 }
@@ -191,14 +158,12 @@ SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
 
 // What the command line asks for.
 RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes) {
-    RunOrigin origin{.scene = *arguments.scene,
-                     .text = text_of_scene(*arguments.scene, scenes),
-                     .settings = arguments.settings,
-                     .strategy = strategy_of(arguments),
-                     .submeshing = arguments.run.submeshing,
-                     .commit = {}};
-    parse_angle(arguments.angle, origin.submeshing);
-    return origin;
+    return {.scene = *arguments.scene,
+            .text = text_of_scene(*arguments.scene, scenes),
+            .settings = arguments.settings,
+            .strategy = strategy_of(arguments),
+            .submeshing = arguments.run.submeshing,
+            .commit = {}};
 }
 
 Parameters with_settings(const Scene& scene, const std::vector<std::string>& settings) {
@@ -223,17 +188,15 @@ void check_usage(const Arguments& arguments) {
         refuse("nothing is written in between", "--every", "it alone",
                "with --series, --frames or --checkpoint");
     }
-    const auto check = [](const auto& path, const char* option) {
-        if (path) {
-            check_writable(*path, option);
+    for (const auto& [path, option] : {std::pair(&arguments.json, "--json"),
+                                       {&arguments.events, "--events"},
+                                       {&arguments.series, "--series"},
+                                       {&arguments.edits, "--edits"},
+                                       {&arguments.checkpoint, "--checkpoint"}}) {
+        if (*path) {
+            check_writable(**path, option);
         }
-    };
-    check(arguments.json, "--json");
-    check(arguments.events, "--events");
-    check(arguments.series, "--series");
-    check(arguments.outlines, "--outlines");
-    check(arguments.edits, "--edits");
-    check(arguments.checkpoint, "--checkpoint");
+    }
 }
 
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
@@ -252,17 +215,13 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
-    options.measures = file.measures;
-    options.measure_shape = file.measures_shape;
     options.strategy = origin.strategy;
     options.submeshing = origin.submeshing;
     options.progress = isatty(STDERR_FILENO) != 0;
     options.interrupted = &interrupted;
     options.series_every = arguments.series ? arguments.every.value_or(1) : 0;
     options.edits = arguments.edits.value_or("");
-    options.outlines = arguments.outlines.value_or("");
     options.frames.layers = arguments.pictures ? parse_layers(*arguments.pictures) : Layers{};
-    options.frames.outlines = arguments.outlines.has_value();
     options.frames.every = arguments.every.value_or(0);
     options.checkpoint = {.path = arguments.checkpoint.value_or(""),
                           .every = arguments.every.value_or(0),
@@ -326,10 +285,6 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                           ->add_option("--submeshes", arguments.run.submeshing.submeshes,
                                        "default: 8 slabs, 16 blocks, or as many cells as pay")
                           ->check(CLI::Range(1, 65536));
-    auto* angle = run_command->add_option(
-        "--angle", arguments.angle,
-        "slabs are cut across this direction, in degrees from the x axis (default 0); "
-        "shape: across the direction of the interface");
     run_command
         ->add_option("--threads", arguments.threads,
                      "at most so many threads: fewer where more bring nothing (default 1)")
@@ -347,13 +302,9 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->needs(frames);
     run_command
         ->add_option("--pictures", arguments.pictures,
-                     "draw each frame (.svg): layers with commas between them, of phases, "
-                     "quality, targets or submeshes, and of edges, interface, events")
+                     "draw each frame (.svg): layers with commas between them, phases or "
+                     "quality, and edges, interface")
         ->needs(frames);
-    run_command->add_option(
-        "--outlines", arguments.outlines,
-        "file for the phases at the end, as polygons in GeoJSON; with --frames, "
-        "those of each frame beside it as well");
     auto* edits = run_command->add_option("--edits", arguments.edits,
                                           "file for the log of edits from the start of the run, "
                                           "which replays to the same mesh");
@@ -380,7 +331,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                      "a checkpoint, in place of a scene: goes on to the same bits. It knows the "
                      "scene, its keys and the strategy; files that a scene file names are read "
                      "again. What else is to be written has to be asked for again")
-        ->excludes(settings, strategy, submeshes, angle, edits);
+        ->excludes(settings, strategy, submeshes, edits);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");
     describe_command->add_option("scene", arguments.scene, "a name from the list")->required();

@@ -49,8 +49,8 @@ std::string describe(const Scene& scene, const Parameters& parameters) {
            ". A table of its own takes the place of the scene's: [domain], [[shape]] or\n"
            "# [[curve]]; [flow], [curvature], [growth] or [fluid]; [sizes]; [exact].\n"
            "name = " +
-           in_quotes(scene.name) + "\ndescription = " + in_quotes(scene.description) +
-           "\nscene = " + in_quotes(scene.name) + "\n\n" + options_in_toml(scene, parameters);
+           in_quotes(scene.name) + "\nscene = " + in_quotes(scene.name) + "\n\n" +
+           options_in_toml(scene, parameters);
 }
 
 } // namespace dsc::scenes

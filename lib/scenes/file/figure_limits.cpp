@@ -50,15 +50,6 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
 
 } // namespace
 
-std::vector<Measure> read_measures(const TableReader& reader) {
-    const std::string key = "measures";
-    const std::vector<std::string> names = reader.texts(key);
-    if (names.empty()) {
-        reader.refuse(key, "no measure", name_list(default_measures(), &Measure::name));
-    }
-    return at_key(reader, key, [&] { return select_measures(names); });
-}
-
 std::vector<FigureLimit> read_limits(const TableReader& reader) {
     const std::vector<std::string> names = names_of_figures();
     reader.allow(names);
@@ -82,8 +73,7 @@ std::vector<FigureLimit> read_limits(const TableReader& reader) {
     return limits;
 }
 
-std::string why_missing(const std::string& figure, const Measured& measured, const Setup& setup,
-                        bool is_quick) {
+std::string why_missing(const std::string& figure, const Setup& setup, bool is_quick) {
     if (figure == kept_value) {
         return setup.value ? "" : "the scene keeps no value at its vertices";
     }
@@ -93,26 +83,22 @@ std::string why_missing(const std::string& figure, const Measured& measured, con
         return "";
     }
     const std::string name = stem.substr(0, stem.size() - at_end.size());
-    const auto measure = std::ranges::find(measured.measures, name, &Measure::name);
-    if (measure == measured.measures.end()) {
-        return "the measure " + name + " is not taken";
-    }
+    const auto measure = std::ranges::find(default_measures(), name, &Measure::name);
     const bool needs_shape = measure->needs == Needs::exact_shape;
-    if (needs_shape && !(measured.measures_shape && setup.exact)) {
-        return "the exact shape is not known, or not measured against";
+    if (needs_shape && !setup.exact) {
+        return "the exact shape is not known";
     }
     if (is_half && !setup.half_step) {
-        return "the scene has no half_step";
+        return "the scene has no moment half-way";
     }
     const bool is_unknown = is_half && needs_shape && !is_quick &&
                             std::isnan(setup.exact(*setup.half_step * setup.dt).area);
     return is_unknown ? "the exact shape is not known half-way" : "";
 }
 
-void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured,
-                    const Setup& setup) {
+void check_measured(const std::vector<FigureLimit>& limits, const Setup& setup) {
     for (const FigureLimit& limit : limits) {
-        const std::string reason = why_missing(limit.figure, measured, setup);
+        const std::string reason = why_missing(limit.figure, setup);
         if (!reason.empty()) {
             throw InputError({.what = "a limit without its measure",
                               .where = limit.where,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says about its figures: which measures are taken, and what the figures have to
-// keep to. `dsc_verify run FILE.toml` judges them.
+// What the figures of a scene file have to keep to. `dsc_verify run FILE.toml` judges them.
 #pragma once
 
 #include "measures/measures.h"
@@ -21,27 +20,16 @@ struct FigureLimit {
     std::string where{}; ///< file, line and key
 };
 
-/// [measure] measures: a list of names of `default_measures`. Throws InputError for another name
-/// and an empty list.
-[[nodiscard]] std::vector<Measure> read_measures(const TableReader& reader);
-
 /// [limits]: at least one. Throws InputError for a name that no figure has, and for a bound that is
 /// not a finite number.
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 
-/// What a run takes: these measures, and whether those of the exact shape.
-struct Measured {
-    const std::vector<Measure>& measures;
-    bool measures_shape = true;
-};
-
 /// Why a run of this setup has no number for the figure; empty if it has one. `is_quick`: without a
 /// look at whether the exact shape is known half-way, which may take a while.
-[[nodiscard]] std::string why_missing(const std::string& figure, const Measured& measured,
-                                      const Setup& setup, bool is_quick = false);
+[[nodiscard]] std::string why_missing(const std::string& figure, const Setup& setup,
+                                      bool is_quick = false);
 
 /// Throws InputError for a limit of a figure that the run has no number for.
-void check_measured(const std::vector<FigureLimit>& limits, const Measured& measured,
-                    const Setup& setup);
+void check_measured(const std::vector<FigureLimit>& limits, const Setup& setup);
 
 } // namespace dsc::scenes

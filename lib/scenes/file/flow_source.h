@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The flow of a scene file. A [flow], or each [[flow]] where one follows the other, is one of
+// The flow of a scene file. A [flow], or each [[flow]] where one follows the other, is
 //
-//     u, v        = "formula", "formula" in x, y, t, the [flow.parameters] and pi, h, period
-//     translation = { velocity = [u, v] }
-//     radial      = { centre = [x, y], speed }
-//     rotation    = { centre = [x, y], angular_speed }
-//     vortex      = { centre = [x, y], speed }
-//     swirl       = { amplitude, period }
-//     falling     = { surface, depth, speed }
-//
-// with `until`, the time at which the next one takes over, and `reversed = true` for the opposite.
+//     u, v  = "formula", "formula" in x, y, t, the [flow.parameters] and pi, h, period
+//     until = the time at which the next one takes over
 #pragma once
 
 #include "flows/velocity.h"

@@ -34,10 +34,10 @@ struct SceneParts {
     std::optional<CurvatureMotion> curvature{};
     std::optional<Growth> growth{};
     std::optional<FluidMotion> fluid{};
-    ExactSource exact{};
+    std::optional<ExactSource> exact{};
     std::function<SizeOptions<double>(const Parameters&)> sizes{};
     std::optional<Phase> measured{};
-    std::optional<int> half_step{};
+    bool is_measured = true; ///< against the exact shape
 
     [[nodiscard]] bool has_shape_and_motion_of_base() const {
         return base && shapes.empty() && curves.empty() && !flow && !curvature && !growth &&
@@ -106,32 +106,16 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
     set_motion(parts, p, setup);
     setup.carried = parts.carried.empty() ? setup.carried : parts.carried;
     setup.measured = parts.measured ? parts.measured : setup.measured;
-    setup.half_step = parts.half_step ? parts.half_step : setup.half_step;
     if (parts.sizes) {
         setup.sizes = parts.sizes(p);
     }
     if (parts.exact) {
-        setup.exact = parts.exact(p, setup,
-                                  parts.shapes.empty() ? std::vector<FirstShape>{}
-                                                       : first_shapes(parts.shapes, setup));
-    } else if (!parts.has_shape_and_motion_of_base()) {
+        set_exact(*parts.exact, parts.shapes, p.period, setup);
+    }
+    if (!parts.is_measured || !(parts.exact || parts.has_shape_and_motion_of_base())) {
         setup.exact = {};
     }
     return setup;
-}
-
-void read_measure(const TableReader& reader, SceneParts& parts, SceneFile& file) {
-    reader.allow({"phase", "half_step", "shape", "measures"});
-    if (reader.has("phase")) {
-        parts.measured = reader.phase("phase", 1);
-    }
-    if (reader.has("half_step")) {
-        parts.half_step = reader.integer("half_step", 0, 100'000'000);
-    }
-    file.measures_shape = reader.flag_or(true, "shape");
-    if (reader.has("measures")) {
-        file.measures = read_measures(reader);
-    }
 }
 
 void read_geometry(const TableReader& top, SceneParts& parts) {
@@ -220,15 +204,12 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
                           const std::vector<Scene>& scenes) {
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
-    top.allow({"name", "description", "scene", "domain", "shape", "curve", "flow", "curvature",
-               "growth", "fluid", "carried", "options", "sizes", "exact", "measure", "limits"});
+    top.allow({"name", "scene", "domain", "shape", "curve", "flow", "curvature", "growth", "fluid",
+               "carried", "options", "sizes", "exact", "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});
     file.scene.name = read_name(top);
-    file.scene.description =
-        top.has("description") ? top.text("description") : "a scene from a file";
-    file.scene.section = path.string();
     if (!parts.base) {
         file.scene.keys.emplace_back("period");
         file.scene.defaults.h = 0;
@@ -250,7 +231,12 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         parts.exact = read_exact(top.table("exact"));
     }
     if (top.has("measure")) {
-        read_measure(top.table("measure"), parts, file);
+        const TableReader measure = top.table("measure");
+        measure.allow({"phase", "shape"});
+        if (measure.has("phase")) {
+            parts.measured = measure.phase("phase", 1);
+        }
+        parts.is_measured = measure.flag_or(true, "shape");
     }
     if (top.has("limits")) {
         file.limits = read_limits(top.table("limits"));
@@ -259,8 +245,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         return prepare(parts, p);
     };
     // What only shows when the parts come together is said now.
-    const Setup setup = file.scene.prepare(file.scene.defaults);
-    check_measured(file.limits, {file.measures, file.measures_shape}, setup);
+    check_measured(file.limits, file.scene.prepare(file.scene.defaults));
     return file;
 }
 

@@ -3,7 +3,6 @@
 // The header that is named beside a table describes what the table holds.
 //
 //     name = "my-scene"           # of result files; else the file's own
-//     description = "..."
 //     scene = "swirl"             # begins as this scene of the catalogue; what follows replaces
 //                                 # its parts; its exact shape holds while shape and motion do
 //     carried = [phases]          # whose inside moves with the flow
@@ -24,10 +23,9 @@
 //                                 # that is less than h;
 //                                 # by_phase = [lengths], or by_place = a formula in x, y, t and
 //                                 # h; on_interface = one for the interface's own edges
-//     [exact]                     # exact_source.h
-//     [measure]                   # phase, half_step; shape = false: not against the exact shape;
-//                                 # measures = [names]: no others are taken, but for those that
-//                                 # they use; `dsc_scene run --help` says which there are
+//     [exact]                     # scene_parts.h
+//     [measure]                   # phase: whose shape is measured; else all but 0;
+//                                 # shape = false: not against the exact one
 //     [limits]                    # figure = most, or figure = { least, most }: names as in
 //                                 # result files, such as sd_rel_last, area_ratio, inverted and
 //                                 # jaggedness_last.largest_excess_deg. `dsc_verify run FILE`
@@ -44,8 +42,6 @@ namespace dsc::scenes {
 struct SceneFile {
     Scene scene;
     std::vector<FigureLimit> limits{};
-    std::vector<Measure> measures = default_measures(); ///< those that a run takes
-    bool measures_shape = true;                         ///< see RunOptions
 };
 
 /// Reads a scene and the files that it names, relative to its own folder. Nothing is written, and

@@ -2,9 +2,12 @@
 #include "scenes/file/scene_parts.h"
 
 #include "dsc/base/error.h"
-#include "scenes/file/formula/formula_length.h"
+#include "flows/exact.h"
+#include "scenes/file/formula/formula_flow.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace dsc::scenes {
 
@@ -13,13 +16,61 @@ namespace {
 constexpr int most_grains = 20'000;
 constexpr double finest_grains = 1e-3;
 constexpr Bounds multiplier{1e-9, 1e9};
+/// Two times closer than this, relative to the period, are one but for rounding.
+constexpr double same_time = 1e-9;
 
 std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
-    keys.insert(keys.end(), {"scale", "move"});
-    for (const std::string& key : source_keys()) {
-        keys.push_back(key);
-    }
+    std::ranges::copy(source_keys(), std::back_inserter(keys));
     return keys;
+}
+
+/// A length by place and time, given by a formula in x, y and t.
+class FormulaLength {
+public:
+    FormulaLength(const std::string& formula, const Parameters& p, const std::string& where)
+        : flow_({.u = formula,
+                 .v = "0",
+                 .parameters = {{"h", p.h}, {"period", p.period}},
+                 .where_u = where}) {}
+
+    double operator()(const Point<double>& place, double time, Phase = exterior_phase) const {
+        Point<double> length;
+        flow_({&place, 1}, time, {&length, 1});
+        return length.x();
+    }
+    [[nodiscard]] bool changes_in_time() const { return flow_.uses_time(); }
+
+private:
+    FormulaFlow flow_;
+};
+
+// The shapes as curves, for exact solutions: smooth where they are known as such.
+struct FirstShape {
+    ParametricCurve curve;
+    bool is_hole = false;
+};
+
+std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, const Setup& setup) {
+    if (shapes.size() == 1 && shapes.front().source.curve) {
+        return {{*shapes.front().source.curve}};
+    }
+    std::vector<FirstShape> first;
+    Phase phase = exterior_phase;
+    for (std::size_t i = 0; !shapes.empty() && i < setup.outlines.size(); ++i) {
+        const bool is_hole = setup.phases[i] == exterior_phase;
+        if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
+            throw InputError(
+                {.what = "the exact shapes of several phases",
+                 .where = shapes.front().where,
+                 .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
+                 .allowed = "shapes of one phase, and their holes"});
+        }
+        phase = is_hole ? phase : setup.phases[i];
+        const Outline& outline = setup.outlines[i];
+        first.push_back(
+            {polygon_curve(signed_area(outline) < 0 ? reversed(outline) : outline), is_hole});
+    }
+    return first;
 }
 
 } // namespace
@@ -81,39 +132,43 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
     if (reader.has("by_phase") && (reader.has("by_place") || by_phase.lengths.empty())) {
         reader.refuse("by_phase", "bad value", "one length or more, and no by_place");
     }
-    struct Formula {
-        std::string text{};
-        std::string where{};
-        [[nodiscard]] FormulaLength with(const Parameters& p) const {
-            return {text, {{"h", p.h}, {"period", p.period}}, where};
+    const auto formula_at = [&](const char* key) {
+        return reader.has(key) ? reader.text(key) : std::string();
+    };
+    return [=, by_place = formula_at("by_place"), on_interface = formula_at("on_interface"),
+            where_place = reader.where("by_place"),
+            where_interface = reader.where("on_interface")](const Parameters& p) {
+        SizeOptions<double> sizes;
+        sizes.longest = longest;
+        sizes.shortest = least;
+        if (number > 0) {
+            sizes.by_distance = EdgesToInterface{p.h, number};
         }
+        if (!by_phase.lengths.empty()) {
+            sizes.by_place = by_phase;
+        }
+        if (!by_place.empty()) {
+            const FormulaLength length(by_place, p, where_place);
+            sizes.by_place = length;
+            sizes.changes_in_time = length.changes_in_time();
+        }
+        if (!on_interface.empty()) {
+            const FormulaLength length(on_interface, p, where_interface);
+            sizes.on_interface = length;
+            sizes.changes_in_time = sizes.changes_in_time || length.changes_in_time();
+        }
+        return sizes;
     };
-    const auto read = [&](const char* key) {
-        return reader.has(key) ? Formula{reader.text(key), reader.where(key)} : Formula{};
-    };
-    return
-        [=, by_place = read("by_place"), on_interface = read("on_interface")](const Parameters& p) {
-            SizeOptions<double> sizes;
-            sizes.longest = longest;
-            sizes.shortest = least;
-            if (number > 0) {
-                sizes.by_distance = EdgesToInterface{p.h, number};
-            }
-            if (!by_phase.lengths.empty()) {
-                sizes.by_place = by_phase;
-            }
-            if (!by_place.text.empty()) {
-                const FormulaLength length = by_place.with(p);
-                sizes.by_place = length;
-                sizes.changes_in_time = length.changes_in_time();
-            }
-            if (!on_interface.text.empty()) {
-                const FormulaLength length = on_interface.with(p);
-                sizes.on_interface = length;
-                sizes.changes_in_time = sizes.changes_in_time || length.changes_in_time();
-            }
-            return sizes;
-        };
+}
+
+ExactSource read_exact(const TableReader& reader) {
+    const std::vector<std::string> kinds{"back", "carried"};
+    reader.allow(kinds);
+    const std::string kind = reader.one_of(kinds);
+    if (!reader.flag_or(true, kind)) {
+        reader.refuse(kind, "bad value", "true, or no such key");
+    }
+    return {kind == "carried", reader.where(kind)};
 }
 
 void read_options(const TableReader& reader, const std::vector<std::string>& keys,
@@ -146,11 +201,11 @@ void add_shapes(const std::vector<ShapeSource>& shapes, double edge_length, Setu
         const std::vector<Piece> pieces = shape.source.pieces(edge_length);
         const std::vector<int> depths = nesting(pieces);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
-            if (!pieces[i].is_closed || pieces[i].points.size() < 3) {
+            if (pieces[i].points.size() < 3) {
                 throw InputError({.what = "a line that encloses nothing",
                                   .where = shape.where,
                                   .value = std::to_string(pieces[i].points.size()) + " points",
-                                  .allowed = "closed lines of 3 points or more"});
+                                  .allowed = "lines of 3 points or more"});
             }
             setup.outlines.push_back(pieces[i].points);
             setup.phases.push_back(depths[i] == 0 ? shape.phase : shape.hole_phase);
@@ -170,28 +225,37 @@ void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setu
     }
 }
 
-std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, const Setup& setup) {
-    std::vector<FirstShape> first;
-    if (shapes.size() == 1 && shapes.front().source.curve) {
-        first.push_back({*shapes.front().source.curve});
-        return first;
+void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
+               Setup& setup) {
+    if (exact.is_carried ? setup.flow.empty() : !(period > 0)) {
+        throw InputError(
+            {.what = exact.is_carried ? "there is no flow that carries shapes along"
+                                      : "there is no time when the flow is back",
+             .where = exact.where,
+             .value = "true",
+             .allowed = exact.is_carried ? "with a [flow]" : "with a period above 0 in [options]"});
     }
-    Phase phase = exterior_phase;
-    for (std::size_t i = 0; i < setup.outlines.size(); ++i) {
-        const bool is_hole = setup.phases[i] == exterior_phase;
-        if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
-            throw InputError(
-                {.what = "the exact shapes of several phases",
-                 .where = shapes.front().where,
-                 .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
-                 .allowed = "shapes of one phase, and their holes"});
+    setup.exact = [first = first_shapes(shapes, setup), flow = setup.flow, period,
+                   is_carried = exact.is_carried](double time) {
+        const bool is_first =
+            time == 0 ||
+            (period > 0 && std::min(std::abs(time), std::abs(time - period)) <= same_time * period);
+        ExactShape all;
+        if (!is_first && !is_carried) {
+            all.area = std::numeric_limits<double>::quiet_NaN(); // nobody knows
+            return all;
         }
-        phase = is_hole ? phase : setup.phases[i];
-        const Outline& outline = setup.outlines[i];
-        first.push_back(
-            {polygon_curve(signed_area(outline) < 0 ? reversed(outline) : outline), is_hole});
-    }
-    return first;
+        // Holes run clockwise, and their area is taken away.
+        for (const auto& [curve, is_hole] : first) {
+            ExactShape one = is_first ? unmoved_shape(curve) : advected_shape(curve, flow, time);
+            all.area += is_hole ? -one.area : one.area;
+            all.own_error += one.own_error;
+            for (Outline& outline : one.outlines) {
+                all.outlines.push_back(is_hole ? reversed(std::move(outline)) : std::move(outline));
+            }
+        }
+        return all;
+    };
 }
 
 } // namespace dsc::scenes

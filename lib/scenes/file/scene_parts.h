@@ -2,7 +2,6 @@
 // The tables of a scene file that become parts of a setup, one function for each.
 #pragma once
 
-#include "scenes/file/exact_source.h"
 #include "scenes/file/outlines/outline_source.h"
 #include "scenes/file/scene_file.h"
 
@@ -23,11 +22,22 @@ struct CurveSource {
     Phase right = exterior_phase;
 };
 
+/// An [exact]. It is one of
+///
+///     back    = true       after the time `period` everything is where it was at the start
+///     carried = true       the shapes are carried along by the flow, which must keep areas; it is
+///                          followed closely, without any mesh
+struct ExactSource {
+    bool is_carried = false;
+    std::string where; ///< for errors
+};
+
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
 [[nodiscard]] CurveSource read_curve(const TableReader& reader);
 [[nodiscard]] CurvatureMotion read_curvature(const TableReader& reader);
 [[nodiscard]] Growth read_growth(const TableReader& reader);
+[[nodiscard]] ExactSource read_exact(const TableReader& reader);
 /// A [sizes], given the parameters: their h is the shortest target.
 [[nodiscard]] std::function<SizeOptions<double>(const Parameters& parameters)>
 read_sizes(const TableReader& reader);
@@ -38,13 +48,13 @@ void read_options(const TableReader& reader, const std::vector<std::string>& key
 /// Throws InputError for a scene of the catalogue with so many grains that preparing it takes long.
 void check_grains(const Scene& scene, const Parameters& parameters, const std::string& where);
 
-/// Fills in `outlines` and `phases`. Throws InputError for open lines.
+/// Fills in `outlines` and `phases`. Throws InputError for lines that enclose nothing.
 void add_shapes(const std::vector<ShapeSource>& shapes, double edge_length, Setup& setup);
 /// Fills in `curves`; closed ones repeat their first point.
 void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setup& setup);
-/// The shapes as curves, for exact solutions: smooth where they are known as such. Throws
-/// InputError for several phases.
-[[nodiscard]] std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes,
-                                                   const Setup& setup);
+/// Fills in `exact`, where shapes and flow are known. Throws InputError for shapes of several
+/// phases, and for a setup without the flow or the period.
+void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
+               Setup& setup);
 
 } // namespace dsc::scenes

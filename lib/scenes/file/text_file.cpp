@@ -5,7 +5,7 @@
 
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace dsc::scenes {
 
@@ -25,17 +25,12 @@ std::string read_text_file(const std::filesystem::path& path) {
     }
     errno = 0;
     std::ifstream file(path, std::ios::binary);
-    std::string text;
-    bool is_read = file.is_open();
-    try {
-        text.assign(std::istreambuf_iterator<char>(file), {});
-    } catch (const std::ios_base::failure&) { // an iterator has no other way to say so
-        is_read = false;
-    }
-    if (!is_read || file.bad()) {
+    std::ostringstream text;
+    text << file.rdbuf(); // which fails for an empty file as well
+    if (!file.is_open() || (size > 0 && text.fail())) {
         throw FileError("cannot read this file", path.string(), errno);
     }
-    return text;
+    return text.str();
 }
 
 } // namespace dsc::scenes

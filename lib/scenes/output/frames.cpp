@@ -3,9 +3,8 @@
 
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
-#include "scenes/output/event_lines.h"
-#include "scenes/output/outlines_file.h"
 #include "scenes/output/write_file.h"
+#include "scenes/run/json.h"
 #include "scenes/run/standard_archive.h"
 
 #include <unistd.h>
@@ -43,42 +42,41 @@ void write_collection(const std::vector<std::pair<double, std::string>>& frames,
 
 } // namespace
 
-void check_times(const FramePlan& plan, const FrameSchedule& schedule) {
-    const double end = schedule.steps * schedule.dt;
+void check_times(const FramePlan& plan, const Setup& setup) {
+    const double end = setup.steps * setup.dt;
     for (const double time : plan.times) {
-        require(time >= 0 && step_that_reaches(time, schedule.dt) <= schedule.steps, "--at", time,
+        require(time >= 0 && step_that_reaches(time, setup.dt) <= setup.steps, "--at", time,
                 "0 to " + to_text(end));
     }
 }
 
-bool is_frame_due(const FramePlan& plan, const FrameSchedule& schedule, int step) {
+bool is_frame_due(const FramePlan& plan, const Setup& setup, int step) {
     if (plan.folder.empty()) {
         return false;
     }
     const bool is_asked_for = std::ranges::any_of(
-        plan.times, [&](double time) { return step_that_reaches(time, schedule.dt) == step; });
+        plan.times, [&](double time) { return step_that_reaches(time, setup.dt) == step; });
     if (is_asked_for || (plan.every <= 0 && !plan.times.empty())) {
         return is_asked_for;
     }
-    if (step == 0 || step == schedule.steps) {
+    if (step == 0 || step == setup.steps) {
         return true;
     }
     if (plan.every > 0) {
         return step % plan.every == 0;
     }
     const auto slot = [&](int s) {
-        return static_cast<long long>(s) * (std::max(plan.count, 2) - 1) /
-               std::max(schedule.steps, 1);
+        return static_cast<long long>(s) * (std::max(plan.count, 2) - 1) / std::max(setup.steps, 1);
     };
-    return (schedule.half && step == *schedule.half) || slot(step) != slot(step - 1);
+    return (setup.half_step && step == *setup.half_step) || slot(step) != slot(step - 1);
 }
 
-Frames::Frames(FramePlan plan, std::string name, const FrameSchedule& schedule)
-    : plan_(std::move(plan)), schedule_(schedule), name_(std::move(name)) {
+Frames::Frames(FramePlan plan, std::string name, const Setup& setup)
+    : plan_(std::move(plan)), setup_(setup), name_(std::move(name)) {
     if (plan_.folder.empty()) {
         return;
     }
-    check_times(plan_, schedule);
+    check_times(plan_, setup);
     std::error_code error;
     std::filesystem::create_directories(plan_.folder, error);
     if (error || access(plan_.folder.c_str(), W_OK) != 0) {
@@ -98,20 +96,12 @@ std::string Frames::path_of(int step) const {
 
 template <class Real>
 std::string Frames::write(int step, double time, const Complex<Real>& complex,
-                          std::span<const VtuArray> more, std::span<const Event> events) {
+                          std::span<const VtuArray> more) {
     std::string path = path_of(step) + ".vtu";
     write_vtu(complex, path, more);
-    if (plan_.outlines) {
-        write_file(path_of(step) + ".geojson", outlines_to_geojson(complex));
-    }
     if (!plan_.layers.empty()) {
-        std::size_t told = 0; // up to the frame before; events come in the order of time
-        while (!entries_.empty() && told < events.size() &&
-               events[told].time <= entries_.back().first) {
-            ++told;
-        }
-        write_picture(complex, plan_.layers, more, events.subspan(told),
-                      name_ + ", time " + to_text(time), path_of(step) + ".svg");
+        write_picture(complex, plan_.layers, name_ + ", time " + to_text(time),
+                      path_of(step) + ".svg");
     }
     entries_.emplace_back(time, std::filesystem::path(path).filename().string());
     return path;
@@ -135,7 +125,7 @@ void Frames::archive(Archive& archive) { archive(entries_); }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::string Frames::write(int, double, const Complex<Real>&,                          \
-                                       std::span<const VtuArray>, std::span<const Event>);
+                                       std::span<const VtuArray>);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -6,9 +6,9 @@
 #include "dsc/complex/complex.h"
 #include "dsc/io/pictures.h"
 #include "scenes/output/pictures.h"
+#include "scenes/scene.h"
 #include "topology/events.h"
 
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -25,37 +25,29 @@ struct FramePlan {
     int every = 0;               ///< steps; 0: not by steps
     std::vector<double> times{}; ///< each at the first step that reaches it
     Layers layers{};             ///< of the pictures (.svg) beside them; empty: none
-    bool outlines = false;       ///< the phases beside them, as polygons (.geojson)
-};
-
-/// The run that the frames are of.
-struct FrameSchedule {
-    int steps = 0;
-    double dt = 0;
-    std::optional<int> half;
 };
 
 /// Throws InputError for a time that is not within the run.
-void check_times(const FramePlan& plan, const FrameSchedule& schedule);
+void check_times(const FramePlan& plan, const Setup& setup);
 
 /// True if the step has a frame; step 0 is the start. O(times).
-[[nodiscard]] bool is_frame_due(const FramePlan& plan, const FrameSchedule& schedule, int step);
+[[nodiscard]] bool is_frame_due(const FramePlan& plan, const Setup& setup, int step);
 
+/// Of a run of a setup, which must outlive them.
 class Frames {
 public:
     /// Creates the folder; throws InputError, before anything has run, if it is not writable, or
     /// where check_times does.
-    Frames(FramePlan plan, std::string name, const FrameSchedule& schedule);
+    Frames(FramePlan plan, std::string name, const Setup& setup);
 
-    [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, schedule_, step); }
+    [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, setup_, step); }
     /// The path of a step's frame, without the ending.
     [[nodiscard]] std::string path_of(int step) const;
-    /// Writes the mesh, with these arrays beside its own, its outlines and its picture, if they are
-    /// asked for, the picture with the events that came after the frame before. Returns the path of
-    /// the mesh. Throws FileError.
+    /// Writes the mesh, with these arrays beside its own, and its picture, if it is asked for.
+    /// Returns the path of the mesh. Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex,
-                      std::span<const VtuArray> more, std::span<const Event> events);
+                      std::span<const VtuArray> more);
     /// Writes the collection, and the events beside it if there are any.
     void finish(std::span<const Event> events) const;
 
@@ -64,7 +56,7 @@ public:
 
 private:
     FramePlan plan_;
-    FrameSchedule schedule_;
+    const Setup& setup_;
     std::string name_;
     std::vector<std::pair<double, std::string>> entries_; ///< time and file name of each
 };

@@ -3,42 +3,50 @@
 // is watching.
 #pragma once
 
+#include "scenes/run/clock.h"
+
 #include <cstdint>
-#include <functional>
-#include <ostream>
+#include <iostream>
 #include <string>
 
 namespace dsc::scenes {
 
-/// Seconds that have passed since some moment.
-[[nodiscard]] double steady_seconds();
-
 class Progress {
 public:
-    using Clock = std::function<double()>; ///< seconds, from any beginning
-
-    /// `out`: null where nobody is watching; `begin`: the step after which the run begins, 0 unless
-    /// it goes on from a checkpoint.
-    Progress(std::ostream* out, std::string name, int begin, int steps,
-             Clock clock = steady_seconds);
+    /// `begin`: the step after which the run begins, 0 unless it goes on from a checkpoint.
+    Progress(bool is_watched, int begin, int steps)
+        : is_watched_(is_watched), begin_(begin), steps_(steps) {}
     /// Removes the line.
-    ~Progress();
+    ~Progress() {
+        if (is_shown_) {
+            std::cerr << clear_line << std::flush;
+        }
+    }
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
-    Progress(Progress&&) = delete;
-    Progress& operator=(Progress&&) = delete;
 
-    /// "swirl: step 120 of 520, 0:14 left, 3612 triangles", at most ten times a second.
-    void show(int step, std::uint64_t triangles);
+    /// "swirl: step 120 of 520, 14 s left, 3612 triangles", at most ten times a second.
+    void show(const std::string& scene, int step, std::uint64_t triangles) {
+        const double now = watch_.wall();
+        if (!is_watched_ || now < next_) {
+            return;
+        }
+        next_ = now + 0.1;
+        is_shown_ = true;
+        const double left = now / (step - begin_) * (steps_ - step);
+        std::cerr << clear_line << scene << ": step " << step << " of " << steps_ << ", "
+                  << static_cast<std::int64_t>(left + 0.5) << " s left, " << triangles
+                  << " triangles" << std::flush;
+    }
 
 private:
-    std::ostream* out_;
-    Clock clock_;
-    std::string name_;
+    static constexpr const char* clear_line = "\r\033[K";
+
+    bool is_watched_;
     int begin_;
     int steps_;
-    double started_;
-    double next_;
+    Stopwatch watch_;
+    double next_ = 2;
     bool is_shown_ = false;
 };
 

@@ -3,7 +3,9 @@
 
 #include "dsc/base/error.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace dsc::scenes {
@@ -49,7 +51,12 @@ void for_each_column(const SeriesRow& row, const std::set<std::string>& operatio
 } // namespace
 
 std::vector<Measure> series_measures() {
-    return select_measures({"area", "area_exact", "sd", "sd_rel", "min_quality", "min_angle_deg"});
+    static const std::set<std::string> names{"area",   "area_exact",  "sd",
+                                             "sd_rel", "min_quality", "min_angle_deg"};
+    std::vector<Measure> measures;
+    std::ranges::copy_if(default_measures(), std::back_inserter(measures),
+                         [](const Measure& one) { return names.contains(one.name); });
+    return measures;
 }
 
 std::string series_to_csv(const std::vector<SeriesRow>& rows) {

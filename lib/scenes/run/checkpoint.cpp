@@ -2,21 +2,52 @@
 #include "scenes/run/checkpoint.h"
 
 #include "replay/sealed_file.h"
+#include "scenes/run/run.h"
+#include "scenes/run/standard_archive.h"
+
+namespace dsc {
+
+static void archive(Archive& archive, Event& event) {
+    archive.choice(event.kind, event_names.size());
+    archive(event.time, event.x, event.y, event.lost, event.taken, event.area);
+}
+
+static void archive(Archive& archive, AreaAccount& account) {
+    archive(account.given_back, account.owed);
+}
+
+} // namespace dsc
 
 namespace dsc::scenes {
 
 namespace {
 
 /// To be raised with every change of what a run writes.
-const SealedKind checkpoint_kind{.name = "dsc-run", .version = 8};
+const SealedKind checkpoint_kind{.name = "dsc-run", .version = 9};
 
 } // namespace
+
+static void archive(Archive& archive, Figure& figure) { archive(figure.name, figure.value); }
+
+void archive(Archive& archive, SeriesRow& row) {
+    archive(row.step, row.time, row.triangles, row.interface_vertices, row.phases,
+            row.interface_length, row.figures, row.operations, row.events, row.unreached,
+            row.wall_s);
+}
+
+void archive(Archive& archive, RunResult& result) {
+    archive(result.steps, result.gave_up, result.triangles_first, result.area_first,
+            result.area_exact_first, result.half, result.min_quality_ever,
+            result.quality_sampled_every, result.inverted, result.unreached, result.held,
+            result.sub_steps, result.operations, result.events, result.area, result.series,
+            result.cpu_s, result.wall_s);
+}
 
 void archive(Archive& archive, RunOrigin& origin) {
     archive(origin.scene, origin.text, origin.settings);
     archive.choice(origin.strategy, static_cast<std::uint32_t>(strategies().size()));
-    archive(origin.submeshing.threads, origin.submeshing.submeshes, origin.submeshing.degrees,
-            origin.submeshing.follow_shape, origin.submeshing.always_all_threads, origin.commit);
+    archive(origin.submeshing.threads, origin.submeshing.submeshes,
+            origin.submeshing.always_all_threads, origin.commit);
 }
 
 void write_checkpoint(const CheckpointPlan& plan, const std::string& state) {

@@ -60,7 +60,7 @@ template <class Real>
 class DscMethod {
 public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
-        : complex_(first_complex<Real>(setup, parameters)),
+        : setup_(setup), complex_(first_complex<Real>(setup, parameters)),
           options_(scene_options<Real>(setup, parameters)) {
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
@@ -101,51 +101,37 @@ public:
         }
     }
 
-    void step(const Velocity& velocity, double time, double dt, RunResult& result) {
-        if (&velocity != leg_) {
-            simulation_->forget();
-            leg_ = &velocity;
-        }
-        if (value_) {
-            value_->set_interface(simulation_->interface(), time + dt);
-        }
-        take(simulation_->step(velocity_in<Real>(velocity), static_cast<Real>(time),
-                               static_cast<Real>(dt)),
-             time, result);
-    }
-    void step(const CurvatureMotion&, double time, double dt, RunResult& result) {
-        take(simulation_->step(by_curvature_, static_cast<Real>(time), static_cast<Real>(dt)), time,
-             result);
-    }
-    void step(const Growth& growth, double time, double dt, RunResult& result) {
-        const double way = both_ways(growth, time);
-        const auto flow =
-            dsc::growth<Real>(growth_of(growth, [way](const Growth&, double) { return way; }));
-        take(simulation_->step(flow, static_cast<Real>(time), static_cast<Real>(dt)), time, result);
-    }
-    void step(const FluidMotion&, double time, double dt, RunResult& result) {
-        if constexpr (std::is_same_v<Real, double>) {
-            const StepReport report = fluid_->step(*simulation_, dt);
-            const bool is_undone = report.gave_up != GiveUp::none || !fluid_->failure().empty();
-            if (is_undone && topology_) { // what it did to the phases is undone as well
-                (void)topology_->take_events();
-                (void)topology_->take_area();
+    void step(double begin, double end, RunResult& result) {
+        const auto time = static_cast<Real>(begin);
+        const auto dt = static_cast<Real>(setup_.dt);
+        if (fluid_) {
+            step_fluid(begin, result);
+        } else if (setup_.growth) {
+            const double way = both_ways(*setup_.growth, begin);
+            const auto flow = dsc::growth<Real>(
+                growth_of(*setup_.growth, [way](const Growth&, double) { return way; }));
+            take(simulation_->step(flow, time, dt), begin, result);
+        } else if (setup_.curvature) {
+            take(simulation_->step(by_curvature_, time, dt), begin, result);
+        } else {
+            const Velocity& velocity = velocity_of_step(setup_.flow, begin, end);
+            if (&velocity != leg_) {
+                simulation_->forget();
+                leg_ = &velocity;
             }
-            take(report, time, result);
-            if (!fluid_->failure().empty()) {
-                result.gave_up = fluid_->failure();
+            if (value_) {
+                value_->set_interface(simulation_->interface(), begin + setup_.dt);
             }
+            take(simulation_->step(velocity_in<Real>(velocity), time, dt), begin, result);
         }
     }
-    /// Everything that the next step depends on; `leg`: the velocity of the step before, if there
-    /// was one, null where the flow is none.
-    void archive(Archive& archive, const Velocity* leg) {
+    /// Everything that the step after this one depends on.
+    void archive(Archive& archive, int step) {
         simulation_->archive(archive);
-        archive(vertex_steps_);
         if (fluid_) {
             fluid_->archive(archive);
         }
-        leg_ = leg;
+        leg_ = velocity_before(step);
     }
     /// To be called after the last step: the log of edits is put in its place.
     void finish() {
@@ -163,28 +149,19 @@ public:
     /// Of the whole run.
     [[nodiscard]] Figures fluid_figures() const { return fluid_ ? fluid_->figures() : Figures{}; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
-    [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     /// Threads that the last step used.
     [[nodiscard]] std::uint32_t threads_used() const {
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
         return submeshes ? submeshes->threads_used : threads_of_copies_;
     }
-    /// Seconds that all threads have been busy beyond one that never waits; nothing where that is
-    /// not measured.
-    [[nodiscard]] std::optional<double> busy_beyond_one() const {
-        if (threads_of_copies_ > 1 || (fluid_ && fluid_->threads() > 1)) {
-            return std::nullopt;
-        }
-        const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
-        return submeshes ? submeshes->work.beyond_one() : 0;
-    }
     /// To be called before a step after which there is a frame...
     void begin_frame() { begin_displacements(complex_); }
-    /// ...for its arrays. `velocity`: null where the flow is none.
-    std::vector<VtuArray> end_frame(const Velocity* velocity, double time, double dt) {
+    /// ...for its arrays.
+    std::vector<VtuArray> end_frame(int step) {
+        const Velocity* velocity = velocity_before(std::max(step, 1));
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
-        FrameView<Real> view{.time = static_cast<Real>(time),
-                             .dt = static_cast<Real>(dt),
+        FrameView<Real> view{.time = static_cast<Real>(step * setup_.dt),
+                             .dt = static_cast<Real>(step > 0 ? setup_.dt : 0),
                              .edge_length = options_.edge_length,
                              .is_uniform = options_.sizes.is_uniform(),
                              .partition = submeshes ? &submeshes->partition : nullptr};
@@ -210,6 +187,28 @@ public:
     }
 
 private:
+    // The velocity of a step that has been done; null where the flow is none.
+    [[nodiscard]] const Velocity* velocity_before(int step) const {
+        return step == 0 || setup_.sees_interface()
+                   ? nullptr
+                   : &velocity_of_step(setup_.flow, (step - 1) * setup_.dt, step * setup_.dt);
+    }
+
+    void step_fluid(double time, RunResult& result) {
+        if constexpr (std::is_same_v<Real, double>) {
+            const StepReport report = fluid_->step(*simulation_, setup_.dt);
+            const bool is_undone = report.gave_up != GiveUp::none || !fluid_->failure().empty();
+            if (is_undone && topology_) { // what it did to the phases is undone as well
+                (void)topology_->take_events();
+                (void)topology_->take_area();
+            }
+            take(report, time, result);
+            if (!fluid_->failure().empty()) {
+                result.gave_up = fluid_->failure();
+            }
+        }
+    }
+
     // The step that begins at the turn, but for rounding, is the first of those back.
     static double both_ways(const Growth& growth, double time) {
         return time < growth.turns_at * (1 - 1e-9) ? 1 : -1;
@@ -243,7 +242,6 @@ private:
                              std::to_string(report.where.id) + " moves at " +
                              std::to_string(report.speed);
         }
-        vertex_steps_ += report.interface_vertices;
         add_operations(result, report.operations);
         if (topology_) {
             result.area += topology_->take_area();
@@ -252,6 +250,7 @@ private:
         }
     }
 
+    const Setup& setup_;
     Complex<Real> complex_;
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
@@ -261,7 +260,6 @@ private:
     const Velocity* leg_ = nullptr;                 ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
-    std::uint64_t vertex_steps_ = 0;
     std::optional<KeptValue<Real>> value_;
     std::unique_ptr<FluidRun> fluid_; ///< null where no fluid moves the interface
 };

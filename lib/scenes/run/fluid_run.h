@@ -45,9 +45,6 @@ public:
     /// Why the last step has no flow; empty: it has.
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
-    /// Threads of the fluid.
-    [[nodiscard]] std::uint32_t threads() const { return motion_.options.threads; }
-
     /// The last moment, for a row of a series: always the same names.
     [[nodiscard]] Figures now() const;
     /// The figures of all moments, and the seconds of the solver, the assembly and the mesh.

@@ -6,7 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstdio>
 
 namespace dsc::scenes {
@@ -19,28 +18,16 @@ Json histogram_json(const Histogram& histogram) {
     return {{"edges", histogram.edges}, {"counts", histogram.counts}};
 }
 
-// JSON has no NaN: what could not be measured is null.
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json to_json(const Value& value);
-
-struct ValueToJson {
-    Json operator()(double number) const { return finite(number); }
-    Json operator()(const Point<double>& p) const { return {finite(p.x()), finite(p.y())}; }
-    Json operator()(const Figures& parts) const {
-        Json json = Json::object();
-        for (const Figure& part : parts) {
-            json[part.name] = to_json(part.value);
-        }
-        return json;
+Json to_json(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) {
+        return *number;
     }
-    template <class Other>
-    Json operator()(const Other& other) const {
-        return other;
+    Json json = Json::object();
+    for (const Figure& part : std::get<Figures>(value)) {
+        json[part.name] = to_json(part.value);
     }
-};
-
-Json to_json(const Value& value) { return std::visit(ValueToJson{}, value); }
+    return json;
+}
 
 // The measures of both moments. Null if there was no such moment.
 void add_figures(const RunResult& r, Json& json) {
@@ -56,20 +43,11 @@ Json phases_json(const PhaseReport& report) {
     Json list = Json::array();
     for (const PhaseFigures& one : report.phases) {
         list.push_back({{"phase", one.phase},
-                        {"area", finite(one.area)},
-                        {"perimeter", finite(one.perimeter)},
-                        {"wall", finite(one.wall)},
+                        {"area", one.area},
+                        {"perimeter", one.perimeter},
+                        {"wall", one.wall},
                         {"components", one.components},
                         {"holes", one.holes}});
-    }
-    return list;
-}
-
-Json pairs_json(const PhaseReport& report) {
-    Json list = Json::array();
-    for (const PairFigures& pair : report.pairs) {
-        list.push_back(
-            {{"phases", Json::array({pair.one, pair.other})}, {"length", finite(pair.length)}});
     }
     return list;
 }
@@ -111,33 +89,23 @@ std::string to_json(const RunResult& r) {
         {"scene", r.scene},
         {"parameters", parameters_json(r.parameters)},
         {"steps", r.steps},
-        {"interrupted", r.interrupted},
         {"partial", r.is_partial()},
         {"gave_up", r.gave_up.empty() ? Json(nullptr) : Json(r.gave_up)},
         {"triangles_first", r.triangles_first},
         {"triangles_last", r.triangles_last},
-        {"interface_vertices_first", r.interface_vertices_first},
         {"interface_vertices_last", r.interface_vertices_last},
-        {"area_first", finite(r.area_first)},
-        {"area_exact_first", finite(r.area_exact_first)},
-        {"area_ratio", finite(r.area_ratio)},
+        {"area_first", r.area_first},
+        {"area_ratio", r.area_ratio},
     };
     add_figures(r, json);
     for (const Figure& figure : r.fluid) {
         json[figure.name] = to_json(figure.value);
     }
-    json["attribute_error_last"] = finite(r.attribute_error);
+    json["attribute_error_last"] = r.attribute_error;
     json.update({
         {"phases", phases_json(r.phases)},
-        {"pairs", pairs_json(r.phases)},
         {"junctions_last", r.junctions.count},
-        {"junction_crossings", r.junctions.crossings},
-        {"junction_angle_min_deg", finite(r.junctions.min_deg)},
-        {"junction_angle_max_deg", finite(r.junctions.max_deg)},
-        {"junction_deviation_median_deg", finite(r.junctions.median_deviation_deg)},
-        {"junction_deviation_worst_deg", finite(r.junctions.worst_deviation_deg)},
-        {"min_quality_ever", finite(r.min_quality_ever)},
-        {"quality_sampled_every", r.quality_sampled_every},
+        {"min_quality_ever", r.min_quality_ever},
         {"inverted", r.inverted},
         {"unreached", r.unreached},
         {"held", r.held},
@@ -151,11 +119,9 @@ std::string to_json(const RunResult& r) {
         {"run_s", r.wall_s}, // all steps, the first included
         {"first_step_us", r.first_step_us},
         {"step_us_median", r.step_us_median},
-        {"us_per_vertex_step", r.us_per_vertex_step},
         {"peak_memory_mb", r.peak_memory_mb},
         {"threads", r.threads},
         {"threads_used", r.threads_used},
-        {"utilisation", finite(r.utilisation())},
         {"submeshes", r.submeshes},
         {"strategy", to_string(r.strategy)},
         {"mesh_hash", hash},
@@ -166,7 +132,22 @@ std::string to_json(const RunResult& r) {
           {"quality", histogram_json(r.quality_histogram)},
           {"angle", histogram_json(r.angle_histogram)}}},
     });
-    return json.dump(2) + "\n";
+    return json.dump(2) + "\n"; // with null for what is not a number
+}
+
+std::string events_to_json_lines(std::span<const Event> events) {
+    std::string lines;
+    for (const Event& event : events) {
+        const Json json{{"kind", to_string(event.kind)},
+                        {"time", event.time},
+                        {"x", event.x},
+                        {"y", event.y},
+                        {"lost", event.lost},
+                        {"taken", event.taken},
+                        {"area", event.area}};
+        lines += json.dump() + "\n";
+    }
+    return lines;
 }
 
 } // namespace dsc::scenes

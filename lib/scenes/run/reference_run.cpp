@@ -82,7 +82,7 @@ reference::Options reference_options(const Parameters& parameters) {
 
 ReferenceMethod::ReferenceMethod(const Setup& setup, const Parameters& parameters,
                                  const RunOptions&)
-    : method_(to_reference(first_complex<double>(setup, parameters))),
+    : setup_(setup), method_(to_reference(first_complex<double>(setup, parameters))),
       options_(reference_options(parameters)) {
     if (setup.insertion) {
         const OnCircle on_circle = *setup.insertion;
@@ -94,13 +94,14 @@ ReferenceMethod::ReferenceMethod(const Setup& setup, const Parameters& parameter
     }
 }
 
-void ReferenceMethod::step(const Velocity& velocity, double time, double dt, RunResult& result) {
+void ReferenceMethod::step(double begin, double end, RunResult& result) {
+    const Velocity& velocity = velocity_of_step(setup_.flow, begin, end);
     const reference::Velocity one = [&velocity](const Point<double>& p, double at) {
         Point<double> v;
         velocity({&p, 1}, at, {&v, 1});
         return v;
     };
-    const reference::StepCounts counts = reference::step(method_, one, time, dt, options_);
+    const reference::StepCounts counts = reference::step(method_, one, begin, setup_.dt, options_);
     stale_ = true;
     result.unreached += counts.unreached;
     result.sub_steps += counts.substeps;
@@ -112,7 +113,6 @@ void ReferenceMethod::step(const Velocity& velocity, double time, double dt, Run
     o["smoothed"] += counts.smoothed;
     o["subdivisions"] += counts.subdivisions;
     o["retriangulations"] += counts.retriangulations;
-    vertex_steps_ += counts.moved;
 }
 
 const Complex<double>& ReferenceMethod::complex() {

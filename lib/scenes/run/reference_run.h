@@ -16,24 +16,23 @@ namespace dsc::scenes {
 /// The options that match `scene_options`.
 [[nodiscard]] reference::Options reference_options(const Parameters& parameters);
 
+/// Of a setup, which must outlive it.
 class ReferenceMethod {
 public:
     ReferenceMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run);
 
-    void step(const Velocity& velocity, double time, double dt, RunResult& result);
+    void step(double begin, double end, RunResult& result);
     /// Converted anew after each step, on the first request.
     [[nodiscard]] const Complex<double>& complex();
     [[nodiscard]] std::uint64_t interface_vertices();
-    [[nodiscard]] std::uint64_t vertex_steps() const { return vertex_steps_; }
     [[nodiscard]] std::uint32_t threads_used() const { return 1; }
-    [[nodiscard]] std::optional<double> busy_beyond_one() const { return 0; }
 
 private:
+    const Setup& setup_;
     reference::Complex method_;
     reference::Options options_;
     Complex<double> converted_;
     bool stale_ = true;
-    std::uint64_t vertex_steps_ = 0;
 };
 
 } // namespace dsc::scenes

@@ -7,17 +7,15 @@
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
 #include "replay/mesh_hash.h"
-#include "scenes/output/outlines_file.h"
+#include "scenes/name_list.h"
 #include "scenes/output/progress.h"
-#include "scenes/output/write_file.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/dsc_method.h"
 #include "scenes/run/reference_run.h"
-#include "scenes/run/result_archive.h"
+#include "scenes/run/standard_archive.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <utility>
 
@@ -29,14 +27,20 @@ namespace {
 constexpr std::uint64_t few_triangles = 60000;
 constexpr int seldom = 16;
 
+/// The scene, its parameters and the division, as a text that differs for runs that could not
+/// continue each other.
+std::string identity_of(const RunResult& result) {
+    return result.scene + text_of(result.parameters) + " strategy=" + to_string(result.strategy) +
+           " submeshes=" + std::to_string(result.submeshes);
+}
+
 template <class Method>
 class Runner {
 public:
     Runner(const Setup& setup, const RunOptions& options, Method& method, RunResult& result)
         : setup_(setup), options_(options), method_(method), result_(result),
-          frames_(options.frames, result.scene + "_" + to_string(options.strategy),
-                  {setup.steps, setup.dt, setup.half_step}),
-          identity_(identity_of(result, options.submeshing)),
+          frames_(options.frames, result.scene + "_" + to_string(options.strategy), setup),
+          identity_(identity_of(result)),
           hash_first_(options.checkpoint.path.empty() && options.resume == nullptr
                           ? 0
                           : mesh_hash(method.complex())) {}
@@ -48,8 +52,7 @@ public:
             first();
             frame(0);
         }
-        Progress progress(options_.progress ? &std::cerr : nullptr, result_.scene, result_.steps,
-                          setup_.steps);
+        Progress progress(options_.progress, result_.steps, setup_.steps);
         for (int step = result_.steps + 1; step <= setup_.steps && result_.gave_up.empty();
              ++step) {
             if (is_interrupted()) {
@@ -60,9 +63,8 @@ public:
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
             begin_frame(step);
-            const std::optional<double> busy_before = method_.busy_beyond_one();
             const Stopwatch watch;
-            advance(begin, end);
+            method_.step(begin, end, result_);
             const double wall_s = watch.wall();
             if (setup_.fluid && !result_.gave_up.empty()) {
                 frame(step); // of the state before, to which a fluid goes back
@@ -70,9 +72,6 @@ public:
             }
             step_us_.push_back(wall_s * 1e6);
             result_.wall_s += wall_s;
-            result_.busy_s +=
-                busy_before ? (wall_s + *method_.busy_beyond_one() - *busy_before) / result_.threads
-                            : std::numeric_limits<double>::quiet_NaN();
             result_.cpu_s += watch.cpu();
             result_.threads_used = std::max(result_.threads_used, method_.threads_used());
             result_.steps = step;
@@ -83,7 +82,7 @@ public:
             if (every > 0 && step % every == 0 && step < setup_.steps) {
                 save();
             }
-            progress.show(step, complex().triangle_count());
+            progress.show(result_.scene, step, complex().triangle_count());
         }
         save();
         frames_.finish(result_.events);
@@ -91,9 +90,6 @@ public:
             if (!setup_.fluid || result_.gave_up.empty()) { // else the log has an undone step
                 method_.finish();
             }
-        }
-        if (!options_.outlines.empty()) {
-            write_file(options_.outlines, outlines_to_geojson(complex()));
         }
         last(step_us_);
     }
@@ -104,24 +100,6 @@ private:
     [[nodiscard]] bool is_interrupted() const {
         return (options_.interrupted != nullptr && options_.interrupted->load()) ||
                (options_.stop_after > 0 && result_.steps >= options_.stop_after);
-    }
-
-    void advance(double begin, double end) {
-        if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
-            if (setup_.fluid) {
-                method_.step(*setup_.fluid, begin, setup_.dt, result_);
-                return;
-            }
-            if (setup_.growth) {
-                method_.step(*setup_.growth, begin, setup_.dt, result_);
-                return;
-            }
-            if (setup_.curvature) {
-                method_.step(*setup_.curvature, begin, setup_.dt, result_);
-                return;
-            }
-        }
-        method_.step(velocity_of_step(setup_.flow, begin, end), begin, setup_.dt, result_);
     }
 
     void observe(int step) {
@@ -145,11 +123,9 @@ private:
             return;
         }
         if constexpr (std::is_same_v<Method, ReferenceMethod>) {
-            frames_.write(step, time_, complex(), {}, result_.events);
+            frames_.write(step, time_, complex(), {});
         } else {
-            const auto arrays =
-                method_.end_frame(leg_before(std::max(step, 1)), time_, step > 0 ? setup_.dt : 0);
-            const std::string path = frames_.write(step, time_, complex(), arrays, result_.events);
+            const std::string path = frames_.write(step, time_, complex(), method_.end_frame(step));
             if (step > 0) { // nothing has been divided before
                 method_.map_submeshes(path);
             }
@@ -164,7 +140,7 @@ private:
             expect_figures(archive);
             frames_.archive(archive);
             time_ = result_.steps * setup_.dt;
-            method_.archive(archive, leg_before(result_.steps));
+            method_.archive(archive, result_.steps);
         }
     }
 
@@ -193,13 +169,6 @@ private:
             are_complete = are_complete && row.figures.size() == figures;
         }
         archive.expect(are_complete, "holds other figures");
-    }
-
-    // The velocity of a step that has been done.
-    [[nodiscard]] const Velocity* leg_before(int step) const {
-        return step == 0 || setup_.sees_interface()
-                   ? nullptr
-                   : &velocity_of_step(setup_.flow, (step - 1) * setup_.dt, step * setup_.dt);
     }
 
     void save() {
@@ -237,13 +206,11 @@ private:
                                   .outlines = read,
                                   .polygons = polygons,
                                   .exact = exact ? &*exact : nullptr,
-                                  .area_first = result_.area_first,
                                   .area_exact_first = result_.area_exact_first});
     }
 
     void first() {
         result_.triangles_first = complex().triangle_count();
-        result_.interface_vertices_first = method_.interface_vertices();
         result_.area_first = signed_area(outlines());
         result_.area_exact_first =
             setup_.exact ? setup_.exact(0.0).area : std::numeric_limits<double>::quiet_NaN();
@@ -340,10 +307,6 @@ private:
             std::nth_element(step_us.begin(), half, step_us.end());
             result_.step_us_median = *half;
         }
-        if (method_.vertex_steps() > 0) {
-            result_.us_per_vertex_step =
-                result_.cpu_s * 1e6 / static_cast<double>(method_.vertex_steps());
-        }
     }
 
     const Setup& setup_;
@@ -367,6 +330,36 @@ void run_method(const Setup& setup, const Parameters& parameters, const RunOptio
 }
 
 } // namespace
+
+void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,
+                 const RunOptions& options) {
+    const auto refuse = [](const char* what, const char* where, const std::string& value,
+                           const std::string& allowed) {
+        throw InputError({.what = what, .where = where, .value = value, .allowed = allowed});
+    };
+    const bool is_reference = options.strategy == Strategy::reference;
+    const bool is_float = parameters.real != RealType::double_precision;
+    if (!is_parallel(options.strategy) && options.submeshing.threads > 1) {
+        const auto name = [](Strategy one) { return to_string(one); };
+        refuse("this strategy runs on one thread", "--threads", to_text(options.submeshing.threads),
+               "1, or one of the strategies " + name_list(parallel_strategies(), name));
+    }
+    if (setup.fluid && is_float) {
+        refuse("a fluid is solved for in double", "--set real", "'float'",
+               "double for the scene " + scene.name);
+    }
+    if (is_reference && is_float) {
+        refuse("the reference is written for double", "--set real", "'float'", "double");
+    }
+    if (is_reference && (!options.checkpoint.path.empty() || options.resume != nullptr)) {
+        refuse("the reference keeps no checkpoints", "--strategy", "'reference'",
+               "another strategy");
+    }
+    if (is_reference && (setup.sees_interface() || !setup.carried.empty())) {
+        refuse("the reference moves the interface alone, by velocities", "--strategy",
+               "'reference'", "another strategy for the scene " + scene.name);
+    }
+}
 
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
     const Setup setup = scene.prepare(parameters);

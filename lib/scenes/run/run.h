@@ -25,7 +25,6 @@ struct RunOptions {
     Strategy strategy = Strategy::sequential;
     Submeshing submeshing; ///< of the parallel strategies
     FramePlan frames;      ///< .vtu and .pvd
-    std::string outlines;  ///< file for the outlines at the end, as GeoJSON; empty: none
     std::string edits;     ///< file for the log of edits (replay/replay.h); empty: none
     int series_every = 0;  ///< steps between rows of the time series; 0: none
     bool progress = false; ///< a line on stderr
@@ -60,7 +59,6 @@ struct RunResult {
 
     std::uint64_t triangles_first = 0;
     std::uint64_t triangles_last = 0;
-    std::uint64_t interface_vertices_first = 0;
     std::uint64_t interface_vertices_last = 0;
     double area_first = 0; ///< of the first polygon
     double area_exact_first = 0;
@@ -84,14 +82,8 @@ struct RunResult {
     std::vector<SeriesRow> series; ///< with the first and the last step, if it was asked for
     double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;
-    /// The mean over the threads that a step may use of the time that each was at work and did not
-    /// wait; NaN where that is not measured.
-    double busy_s = 0;
-    /// U(n) as measured: the share of the wall time of all steps.
-    [[nodiscard]] double utilisation() const { return busy_s / wall_s; }
     double first_step_us = 0; ///< wall time, as the next
     double step_us_median = 0;
-    double us_per_vertex_step = 0; ///< CPU time over interface vertices, summed over steps
     std::uint64_t mesh_hash = 0;
     double peak_memory_mb = 0;   ///< of the process, so far
     Histogram area_histogram;    ///< over 0 to 3 areas of an equilateral triangle of edge h
@@ -101,6 +93,10 @@ struct RunResult {
     /// No triangle inverted, no vertex unreached, not given up.
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
+
+/// The sums and figures so far, as bytes. What is measured at the end is not part of it.
+void archive(Archive& archive, SeriesRow& row);
+void archive(Archive& archive, RunResult& result);
 
 /// Throws InputError for a strategy that cannot do what is asked of it.
 void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,

@@ -25,20 +25,16 @@ std::vector<StrategyEntry> make_strategies() {
     return all;
 }
 
+const StrategyEntry& entry_of(Strategy strategy) {
+    return strategies().at(static_cast<std::size_t>(strategy));
+}
+
 } // namespace
 
 const std::vector<StrategyEntry>& strategies() {
     static const std::vector<StrategyEntry> all = make_strategies();
     return all;
 }
-
-namespace {
-
-const StrategyEntry& entry_of(Strategy strategy) {
-    return strategies().at(static_cast<std::size_t>(strategy));
-}
-
-} // namespace
 
 std::string to_string(Strategy strategy) { return entry_of(strategy).name; }
 
@@ -70,25 +66,6 @@ std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing) {
                                                              : entry_of(strategy).submeshes;
 }
 
-namespace {
-
-// Slabs in the direction that is asked for; null for other strategies.
-template <class Real>
-std::unique_ptr<Partitioner<Real>> slabs_of(Strategy strategy, const Submeshing& submeshing) {
-    SlabOptions slabs{.submeshes = submeshes_of(strategy, submeshing),
-                      .degrees = submeshing.degrees,
-                      .follow_shape = submeshing.follow_shape};
-    switch (strategy) {
-    case Strategy::fixed: slabs.slabbing = Slabbing::fixed; break;
-    case Strategy::counting: slabs.slabbing = Slabbing::counting; break;
-    case Strategy::active: slabs.slabbing = Slabbing::active; break;
-    default: return nullptr;
-    }
-    return std::make_unique<SlabPartitioner<Real>>(slabs);
-}
-
-} // namespace
-
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               Strategy strategy, const Submeshing& submeshing,
@@ -106,9 +83,6 @@ std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Opti
                             .always_all_threads = submeshing.always_all_threads,
                             .profile = submeshing.profile};
     const auto passes = algorithm != nullptr ? *algorithm : default_algorithm<Real>();
-    if (auto slabs = slabs_of<Real>(strategy, submeshing)) {
-        return dsc::make_executor(complex, options, parallel, std::move(slabs), passes);
-    }
     return dsc::make_executor(complex, options, parallel, passes);
 }
 

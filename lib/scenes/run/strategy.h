@@ -28,8 +28,6 @@ enum class Strategy : std::uint8_t {
 struct Submeshing {
     std::uint32_t threads = 1;
     std::uint32_t submeshes = 0;     ///< 0: the strategy's own choice
-    double degrees = 0;              ///< slabs are cut across this direction, from the x axis
-    bool follow_shape = false;       ///< slabs are cut across the direction of the shape instead
     bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
     bool profile = false;            ///< measure times: see `SubmeshView`
 };

@@ -23,7 +23,6 @@ TEST_P(Described, IsTheSceneWithAllItsOptions) {
     parameters.tolerance = 1.0 / 3;
     const Scene read = read_scene_text(describe(scene, parameters), "described.toml").scene;
     EXPECT_EQ(read.name, scene.name);
-    EXPECT_EQ(read.description, scene.description);
     EXPECT_EQ(read.keys, scene.keys);
     for (const Key& key : parameter_keys()) {
         EXPECT_EQ(key.value(read.defaults), key.value(parameters)) << key.name;

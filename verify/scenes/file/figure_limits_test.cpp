@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a scene file says about its figures: which are measured, and what they have to keep to.
+// What the figures of a scene file have to keep to.
 #include "scenes/file/figure_limits.h"
 
 #include "dsc/base/error.h"
 #include "scenes/file/scene_file.h"
-#include "scenes/run/run.h"
 
 #include <gtest/gtest.h>
 
@@ -15,46 +14,25 @@ namespace {
 
 /// Lines 1 to 4 of what follows.
 const std::string few_steps = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
-const std::string one_disc = "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
-const std::string circle_known = "[exact]\ncircle = { centre = [0.5, 0.5], radius = '0.2' }\n";
+const std::string carried = "[flow]\nu = '1'\nv = '0'\n[exact]\ncarried = true\n"
+                            "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
 
 SceneFile read_figures(const std::string& text) { return read_scene_text(text, "s.toml"); }
 
 TEST(FigureLimits, KeepsLimits) {
     const auto limits =
-        read_figures(few_steps + circle_known +
+        read_figures(few_steps + carried +
                      "[limits]\nsd_rel_last = 1e-3\narea_ratio = { least = 0.9, most = 1.1 }\n"
                      "jaggedness_last.largest_excess_deg = 0\n")
             .limits;
     ASSERT_EQ(limits.size(), 3U);
     EXPECT_EQ(limits[0].figure, "area_ratio");
     EXPECT_EQ(limits[0].least, 0.9);
-    EXPECT_NE(limits[0].where.find("s.toml:9: [limits] area_ratio"), std::string::npos)
+    EXPECT_NE(limits[0].where.find("s.toml:14: [limits] area_ratio"), std::string::npos)
         << limits[0].where;
     EXPECT_EQ(limits[1].figure, "jaggedness_last.largest_excess_deg");
     EXPECT_EQ(limits[2].most, 1e-3);
     EXPECT_TRUE(std::isinf(limits[2].least));
-}
-
-std::vector<std::string> names_of(const Figures& figures) {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures) {
-        names.push_back(figure.name);
-    }
-    return names;
-}
-
-TEST(FigureLimits, SaysWhichMeasuresAreTaken) {
-    const SceneFile all = read_figures(few_steps + one_disc);
-    EXPECT_EQ(all.measures.size(), default_measures().size());
-    const SceneFile some = read_figures(few_steps + circle_known + one_disc +
-                                        "[measure]\nmeasures = ['min_quality', 'sd_rel']\n");
-    RunOptions run;
-    run.measures = some.measures;
-    const RunResult result = run_scene(some.scene, some.scene.defaults, run);
-    EXPECT_EQ(names_of(result.last), (std::vector<std::string>{"sd", "sd_rel", "min_quality"}))
-        << "sd, which sd_rel uses, as well";
-    EXPECT_GT(number(result.last, "sd_rel"), 0);
 }
 
 TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
@@ -65,18 +43,12 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
         {few_steps + "[limits]\nmin_quality_last = { least = 1, most = 0 }\n", {"s.toml:6"}},
         {few_steps + "[limits]\nsd_rel_last = 1\n",
          {"s.toml:6", "[limits] sd_rel_last", "without its measure", "exact shape"}},
-        {few_steps + circle_known + "[limits]\nsd_rel_half = 1\n", {"s.toml:8", "half_step"}},
+        {few_steps + carried + "[limits]\nsd_rel_half = 1\n", {"s.toml:13", "half-way"}},
         {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
          {"s.toml:8", "sd_half", "half-way"}},
         {few_steps + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "keeps no value"}},
-        {few_steps + "[measure]\nmeasures = ['area']\n[limits]\nperimeter_last = 1\n",
-         {"s.toml:8", "perimeter_last", "perimeter is not taken"}},
-        {few_steps + circle_known + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
-         {"s.toml:10", "sd_last", "not measured against"}},
-        {few_steps + "[measure]\nmeasures = ['aera']\n",
-         {"s.toml:6", "[measure] measures", "'aera'", "area", "min_quality"}},
-        {few_steps + "[measure]\nmeasures = []\n", {"s.toml:6", "no measure", "area"}},
-        {few_steps + "[measure]\nmeasures = 'area'\n", {"s.toml:6", "list of texts"}},
+        {few_steps + carried + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
+         {"s.toml:15", "sd_last", "not known"}},
     };
     for (const auto& [text, words] : wrong) {
         SCOPED_TRACE(text);

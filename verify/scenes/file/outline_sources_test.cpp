@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines from files of points and GeoJSON.
+// Lines from files of points.
 #include "scenes/file/outlines/pieces.h"
 
 #include "dsc/base/error.h"
@@ -35,55 +35,6 @@ TEST(Points, AreReadInPieces) {
             EXPECT_EQ(error.where(), "file:2") << "the line";
         }
     }
-}
-
-TEST(GeoJson, HasPolygonsWithHolesAndLines) {
-    const auto polygon = read_geojson(
-        R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],[[4,1],[5,1],[5,2],[4,1]]]})",
-        "file");
-    ASSERT_EQ(polygon.size(), 2U);
-    EXPECT_EQ(polygon[0].points.size(), 3U) << "the first point is not repeated";
-    EXPECT_EQ(nesting(polygon), (std::vector<int>{0, 1}));
-    const auto many = read_geojson(
-        R"({"type":"FeatureCollection","features":[
-            {"type":"Feature","geometry":{"type":"MultiPolygon","coordinates":[
-                [[[0,0],[1,0],[1,1],[0,0]]],[[[2,0],[3,0],[3,1],[2,0]]]]}},
-            {"type":"Feature","geometry":{"type":"GeometryCollection","geometries":[
-                {"type":"LineString","coordinates":[[5,5,100],[6,6]]},
-                {"type":"MultiLineString","coordinates":[[[7,7],[8,8]]]}]}}]})",
-        "file");
-    ASSERT_EQ(many.size(), 4U);
-    EXPECT_TRUE(many[1].is_closed);
-    EXPECT_FALSE(many[2].is_closed);
-    EXPECT_EQ(many[2].points.front(), Point<double>(5, 5)) << "heights are left out";
-}
-
-TEST(GeoJson, RefusesWhatItIsNot) {
-    for (const char* bad : {
-             "",
-             "[",
-             "[]",
-             "3",
-             "{}",
-             R"({"type":"Point","coordinates":[0,0]})",
-             R"({"type":"Polygon"})",
-             R"({"type":"Polygon","coordinates":3})",
-             R"({"type":"Polygon","coordinates":[3]})",
-             R"({"type":"Polygon","coordinates":[[3]]})",
-             R"({"type":"Polygon","coordinates":[[[0,"x"]]]})",
-             R"({"type":"Polygon","coordinates":[[[1e300,0]]]})",
-             R"({"type":"Feature","geometry":null})",
-             R"({"type":["Polygon"],"coordinates":[]})",
-         }) {
-        EXPECT_THROW((void)read_geojson(bad, "file"), InputError) << bad;
-    }
-    std::string deep;
-    std::string end;
-    for (int i = 0; i < 12; ++i) {
-        deep += R"({"type":"GeometryCollection","geometries":[)";
-        end += "]}";
-    }
-    EXPECT_THROW((void)read_geojson(deep + end, "file"), InputError);
 }
 
 } // namespace

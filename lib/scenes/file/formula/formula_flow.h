@@ -8,11 +8,20 @@
 #pragma once
 
 #include "flows/velocity.h"
-#include "scenes/file/formula/parser.h"
+#include "scenes/file/formula/graph.h"
 
 #include <memory>
 
 namespace dsc::scenes {
+
+inline constexpr std::size_t longest_formula = 4096; ///< characters
+inline constexpr int deepest_formula = 64;           ///< parentheses within each other
+/// Operations of the two formulas together.
+inline constexpr std::size_t most_formula_nodes = 512;
+
+/// True for a name that a parameter may have: letters, digits and _, with a letter first, and not
+/// that of a variable or a function.
+[[nodiscard]] bool is_parameter_name(std::string_view name);
 
 /// The two components of a velocity: formulas, and where each comes from, for errors.
 struct FormulaTexts {

@@ -1,15 +1,47 @@
 // SPDX-License-Identifier: MIT
 // Formulas as a graph of operations in which nothing is written twice: what two formulas have in
-// common, or one formula says again, is one node and is computed once.
+// common, or one formula says again, is one node and is computed once. Each operation is one on
+// rows of numbers.
 #pragma once
 
-#include "scenes/file/formula/operations.h"
-
 #include <array>
+#include <cstddef>
+#include <map>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace dsc::scenes {
+
+/// Numbers at once: with few operations, their rows stay in the first-level cache.
+inline constexpr std::size_t formula_row_length = 64;
+
+/// Computes `count` numbers, each from those in the same place of the operands' rows; an operand
+/// that an operation does not have is null. The result for one place does not depend on the others.
+using RowOperation = void (*)(const double* a, const double* b, const double* c, double* result,
+                              std::size_t count);
+
+/// A function, or an operator between two operands.
+struct NamedOperation {
+    std::string_view name;
+    RowOperation operation;
+    int least_arguments = 2;
+    int most_arguments = 2; ///< min and max take more, two by two
+};
+
+/// In alphabetical order.
+[[nodiscard]] std::span<const NamedOperation> formula_functions();
+
+inline constexpr int operator_levels = 3;
+/// The operators of a level, from 0, which binds least: comparisons (1 if true, 0 if not), sums and
+/// products. A name comes after any that it is the beginning of.
+[[nodiscard]] std::span<const NamedOperation> formula_operators(int level);
+
+/// Those that a formula needs besides.
+extern const RowOperation negate_rows;
+extern const RowOperation power_rows;
+extern const RowOperation choose_rows; ///< b where a is not 0, and c elsewhere
 
 /// A node of the graph, by its index.
 using FormulaNodeId = int;
@@ -61,5 +93,13 @@ private:
 
     std::vector<FormulaNode> nodes_;
 };
+
+/// Names and their values; pi is always known.
+using FormulaParameters = std::map<std::string, double, std::less<>>;
+
+/// Throws InputError, with the character at which the formula breaks off and what could stand
+/// there; `where` says whose formula it is. O(n^2).
+[[nodiscard]] FormulaNodeId parse_formula(std::string_view text, const FormulaParameters& known,
+                                          const std::string& where, FormulaGraph& graph);
 
 } // namespace dsc::scenes

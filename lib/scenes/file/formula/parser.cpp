@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/file/formula/parser.h"
-
+// The text of a formula becomes a graph.
+//
+//     formula    = comparison [ "?" formula ":" formula ]
+//     comparison = sum [ ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum ]
+//     sum        = product { ( "+" | "-" ) product }
+//     product    = signed { ( "*" | "/" ) signed }
+//     signed     = { "+" | "-" } power
+//     power      = operand [ "^" signed ]
+//     operand    = number | name | function "(" formula { "," formula } ")" | "(" formula ")"
 #include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
+#include "scenes/file/formula/formula_flow.h"
 
 #include <algorithm>
 #include <cctype>

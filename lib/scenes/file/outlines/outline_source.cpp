@@ -2,56 +2,110 @@
 #include "scenes/file/outlines/outline_source.h"
 
 #include "dsc/base/error.h"
-#include "scenes/file/outlines/named_shapes.h"
 #include "scenes/file/text_file.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dsc::scenes {
 
 namespace {
 
-std::vector<Piece> read_outline_file(const TableReader& reader, bool close) {
-    const std::string name = reader.text("file");
-    const std::filesystem::path path = reader.file().parent_path() / name;
-    const std::string extension = path.extension().string();
-    const bool is_json = extension == ".geojson" || extension == ".json";
-    if (!is_json && extension != ".txt" && extension != ".csv" && extension != ".dat") {
-        reader.refuse("file", "unknown kind of file",
-                      "a name that ends in .txt, .csv, .dat, "
-                      ".geojson or .json");
+using std::numbers::pi;
+
+/// Edges of one outline: far more than a mesh could hold.
+constexpr double most_edges_of_shape = 1e6;
+
+const std::vector<std::string> source_kinds{"points", "file", "circle", "ellipse", "rectangle"};
+
+OutlineSource always(std::vector<Piece> pieces) {
+    return {[pieces = std::move(pieces)](double) { return pieces; }};
+}
+
+OutlineSource read_outline_file(const TableReader& reader, bool close) {
+    const std::filesystem::path path = reader.file().parent_path() / reader.text("file");
+    return always(read_points(read_text_file(path), close, path.string()));
+}
+
+// In equal steps of the parameter no edge is longer than in a circle of the larger radius.
+OutlineSource ellipse(const TableReader& reader, const Point<double>& radii, double angle) {
+    const Point<double> centre = reader.point("centre");
+    const Point<double> axis(std::cos(angle), std::sin(angle));
+    const auto at = [=](double turn) {
+        const double u = radii.x() * std::cos(turn);
+        const double v = radii.y() * std::sin(turn);
+        return Point<double>(centre.x() + u * axis.x() - v * axis.y(),
+                             centre.y() + u * axis.y() + v * axis.x());
+    };
+    const double length = 2 * pi * radii.maxCoeff();
+    const auto pieces = [=, where = reader.where()](double h) {
+        require(length / h <= most_edges_of_shape, where + ": edge length", h,
+                "at most 1000000 edges of the shape");
+        const int count = std::max(8, static_cast<int>(std::ceil(length / h)));
+        std::vector<Point<double>> points;
+        for (int i = 0; i < count; ++i) {
+            points.push_back(at(2 * pi * i / count));
+        }
+        return std::vector<Piece>{{std::move(points), true}};
+    };
+    return {pieces, ParametricCurve{
+                        [=](double s) { return at(2 * pi * s); }, {}, pi * radii.x() * radii.y()}};
+}
+
+OutlineSource read_circle(const TableReader& reader) {
+    reader.allow({"centre", "radius"});
+    const double radius = reader.number("radius", positive_length);
+    return ellipse(reader, {radius, radius}, 0);
+}
+
+OutlineSource read_ellipse(const TableReader& reader) {
+    reader.allow({"centre", "radii", "angle"});
+    const Point<double> radii = reader.point("radii");
+    if (!(radii.minCoeff() >= positive_length.low)) {
+        reader.refuse("radii", "bad value", "two lengths above 0");
     }
-    const std::string text = read_text_file(path);
-    return is_json ? read_geojson(text, path.string()) : read_points(text, close, path.string());
+    return ellipse(reader, radii, reader.number_or(0, "angle", {-360, 360}) * pi / 180);
+}
+
+OutlineSource read_rectangle(const TableReader& reader) {
+    reader.allow({"low", "high"});
+    const Point<double> low = reader.point("low");
+    const Point<double> high = reader.point("high");
+    if (!(high.x() > low.x() && high.y() > low.y())) {
+        reader.refuse("high", "bad value", "above and to the right of low");
+    }
+    return always({{{low, {high.x(), low.y()}, high, {low.x(), high.y()}}, true}});
+}
+
+OutlineSource read_source(const TableReader& reader, bool close) {
+    const std::string kind = reader.one_of(source_kinds);
+    if (kind == "points") {
+        return always({piece_of(reader.points("points"), close)});
+    }
+    if (kind == "file") {
+        return read_outline_file(reader, close);
+    }
+    const TableReader table = reader.table(kind);
+    return kind == "circle"    ? read_circle(table)
+           : kind == "ellipse" ? read_ellipse(table)
+                               : read_rectangle(table);
 }
 
 } // namespace
 
 std::vector<std::string> source_keys() {
-    std::vector<std::string> keys{"points", "file"};
-    std::ranges::copy(shape_names(), std::back_inserter(keys));
+    std::vector<std::string> keys = source_kinds;
+    keys.insert(keys.end(), {"scale", "move"});
     return keys;
 }
 
 OutlineSource read_outline_source(const TableReader& reader, bool close) {
-    const std::string key = reader.one_of(source_keys());
+    OutlineSource source = read_source(reader, close);
     const Point<double> scale = reader.point_or({1, 1}, "scale");
     const Point<double> move = reader.point_or({0, 0}, "move");
     if (!(scale.cwiseAbs().minCoeff() > 1e-9)) {
         reader.refuse("scale", "bad value", "two numbers other than 0");
-    }
-    OutlineSource source;
-    if (key == "points" || key == "file") {
-        source.pieces =
-            [pieces = key == "file" ? read_outline_file(reader, close)
-                                    : std::vector<Piece>{piece_of(reader.points("points"), close)}](
-                double) { return pieces; };
-    } else {
-        NamedShape shape = read_named_shape(reader, key);
-        source.pieces = [outline = std::move(shape.outline)](double h) {
-            return std::vector<Piece>{{outline(h), true}};
-        };
-        source.curve = std::move(shape.curve);
     }
     if (scale != Point<double>(1, 1) || move != Point<double>(0, 0)) {
         source.curve.reset();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where a scene file's outlines and curves come from. A [[shape]] or a [[curve]] has one of
 //
-//     points = [[x, y], ...]
-//     file   = "NAME.txt", .csv or .dat: lines of x y; .geojson or .json: see outlines/pieces.h
-//     circle = { ... } and the other shapes of outlines/named_shapes.h
+//     points    = [[x, y], ...]
+//     file      = "NAME": a text file with lines of x y; an empty line ends a piece
+//     circle    = { centre = [x, y], radius }
+//     ellipse   = { centre = [x, y], radii = [a, b], angle in degrees }
+//     rectangle = { low = [x, y], high = [x, y] }
 //
 // and optionally `scale = [a, b]` and `move = [x, y]`: coordinates are multiplied first and then
 // moved.
@@ -24,7 +26,7 @@ struct OutlineSource {
         curve{}; ///< the exact one, if there is one piece and it is known
 };
 
-/// The keys of a source, for `TableReader::allow`.
+/// The keys of a source and of what is done to it, for `TableReader::allow`.
 [[nodiscard]] std::vector<std::string> source_keys();
 
 /// Reads the source of a table, and the file that it names: relative to the scene file. Texts of

@@ -5,7 +5,6 @@
 #include "dsc/base/types.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace dsc::scenes {
@@ -27,12 +26,7 @@ struct Piece {
 /// A text file of points: "x y" or "x,y" a line; an empty line ends a piece, and # begins a
 /// comment. Closed as `piece_of` says. Throws InputError, with the line, for anything else or too
 /// many points.
-[[nodiscard]] std::vector<Piece> read_points(std::string_view text, bool close,
+[[nodiscard]] std::vector<Piece> read_points(const std::string& text, bool close,
                                              const std::string& where);
-
-/// The geometry of a GeoJSON file (RFC 7946): Polygon, MultiPolygon, LineString, MultiLineString,
-/// a GeometryCollection, or features of these. Coordinates are taken as they are. Throws InputError
-/// for anything else.
-[[nodiscard]] std::vector<Piece> read_geojson(const std::string& text, const std::string& where);
 
 } // namespace dsc::scenes

@@ -4,8 +4,8 @@
 #include "scenes/file/outlines/pieces.h"
 #include "scenes/file/table_reader.h"
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace dsc::scenes {
@@ -23,19 +23,6 @@ bool holds(const std::vector<Point<double>>& polygon, const Point<double>& p) {
         }
     }
     return inside;
-}
-
-// Reads one coordinate from the front of the line, and what may stand behind it.
-bool take_coordinate(std::string_view& line, double& value) {
-    while (!line.empty() && (line.front() == ' ' || line.front() == '\t' || line.front() == ',')) {
-        line.remove_prefix(1);
-    }
-    const auto [stop, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-    if (error != std::errc{} || !(std::abs(value) <= largest_coordinate)) {
-        return false;
-    }
-    line.remove_prefix(static_cast<std::size_t>(stop - line.data()));
-    return true;
 }
 
 } // namespace
@@ -60,7 +47,7 @@ std::vector<int> nesting(const std::vector<Piece>& pieces) {
     return depths;
 }
 
-std::vector<Piece> read_points(std::string_view text, bool close, const std::string& where) {
+std::vector<Piece> read_points(const std::string& text, bool close, const std::string& where) {
     std::vector<Piece> pieces;
     std::vector<Point<double>> points;
     const auto end_piece = [&] {
@@ -69,29 +56,28 @@ std::vector<Piece> read_points(std::string_view text, bool close, const std::str
         }
     };
     std::size_t count = 0;
-    for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view whole = line;
-        const bool is_comment = line.starts_with('#');
-        line = line.substr(0, std::min(line.find('#'), line.size()));
-        if (line.find_first_not_of(" \t\r") == std::string_view::npos) {
-            if (!is_comment) {
+    std::istringstream lines(text);
+    std::string whole;
+    for (int number = 1; std::getline(lines, whole); ++number) {
+        std::string line = whole.substr(0, whole.find('#'));
+        std::ranges::replace(line, ',', ' ');
+        if (line.find_first_not_of(" \t\r") == std::string::npos) {
+            if (!whole.starts_with('#')) {
                 end_piece();
             }
             continue;
         }
-        double x = 0;
-        double y = 0;
-        if (!take_coordinate(line, x) || !take_coordinate(line, y) ||
-            line.find_first_not_of(" \t\r,") != std::string_view::npos || ++count > most_points) {
+        std::istringstream words(line);
+        Point<double> p;
+        std::string rest;
+        if (!(words >> p.x() >> p.y()) || words >> rest ||
+            !(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count > most_points) {
             throw InputError({.what = count > most_points ? "too many points" : "not a point",
                               .where = where + ':' + std::to_string(number),
                               .value = quoted_excerpt(whole),
                               .allowed = "two numbers x y, at most 1000000 lines of them"});
         }
-        points.emplace_back(x, y);
+        points.push_back(p);
     }
     end_piece();
     return pieces;
