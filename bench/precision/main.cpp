@@ -5,7 +5,7 @@
 #include "dsc/base/error.h"
 #include "run.h"
 #include "scenes/command_line/command_line.h"
-#include "scenes/output/write_file.h"
+#include "scenes/file/text_file.h"
 
 #include <unistd.h>
 

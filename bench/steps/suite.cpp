@@ -7,8 +7,8 @@
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
 #include "scenes/file/case_reader.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/text_file.h"
-#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <iterator>

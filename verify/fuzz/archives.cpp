@@ -129,7 +129,7 @@ std::uint64_t run_archives(std::span<const std::uint8_t> bytes) {
         switch (kind) {
         case 2: (void)read_sealed(in_file(text), {"dsc-run", 1}); break;
         case 3: // sealed, so that the checksum does not stop it
-            (void)scenes::read_checkpoint(in_file(sealed({"dsc-run", 1}, text)));
+            (void)scenes::read_checkpoint(in_file(sealed(scenes::checkpoint_kind, text)));
             break;
         case 4: replay_edits(read_edits(in_file(text))); break;
         default: {

@@ -5,7 +5,7 @@
 
 #include "dsc/base/error.h"
 #include "scenes/file/case_reader.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 
 #include <algorithm>
 #include <array>

@@ -14,8 +14,6 @@
 #include "scenes/command_line/command_line.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/text_file.h"
-#include "scenes/name_list.h"
-#include "scenes/output/write_file.h"
 
 #include <algorithm>
 #include <filesystem>

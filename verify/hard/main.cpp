@@ -6,7 +6,7 @@
 
 #include "dsc/base/error.h"
 #include "scenes/command_line/command_line.h"
-#include "scenes/output/write_file.h"
+#include "scenes/file/text_file.h"
 #include "scenes/run/clock.h"
 
 #include <CLI/CLI.hpp>

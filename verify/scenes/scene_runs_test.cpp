@@ -10,7 +10,7 @@
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "scenes/catalogue/families.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dsc/base/error.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 
 #include <CLI/CLI.hpp>
 

@@ -5,11 +5,10 @@
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/command_line/command_line.h"
 #include "scenes/file/describe.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/file/text_file.h"
-#include "scenes/name_list.h"
 #include "scenes/output/machine.h"
-#include "scenes/output/write_file.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A piece of somebody's text as errors repeat it.
+// What errors repeat of somebody's text, and how they list what is allowed.
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,16 @@ inline constexpr std::size_t longest_excerpt = 60; ///< characters
 /// The beginning of the text on one line, in quotes.
 [[nodiscard]] inline std::string quoted_excerpt(std::string_view text) {
     return in_single_quotes(excerpt(text));
+}
+
+/// The names of all elements of a range with commas between them: "h, dt, steps".
+template <class Range, class Name = std::identity>
+[[nodiscard]] std::string name_list(const Range& all, Name name_of = {}) {
+    std::string names;
+    for (const auto& one : all) {
+        names += (names.empty() ? "" : ", ") + std::string(std::invoke(name_of, one));
+    }
+    return names;
 }
 
 } // namespace dsc::scenes

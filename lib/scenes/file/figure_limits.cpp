@@ -2,7 +2,7 @@
 #include "scenes/file/figure_limits.h"
 
 #include "dsc/base/error.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 
 #include <algorithm>
 #include <cmath>

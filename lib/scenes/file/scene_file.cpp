@@ -3,11 +3,11 @@
 
 #include "dsc/base/error.h"
 #include "scenes/catalogue/families.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/file/flow_source.h"
 #include "scenes/file/fluid_source.h"
 #include "scenes/file/scene_parts.h"
 #include "scenes/file/text_file.h"
-#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <cmath>

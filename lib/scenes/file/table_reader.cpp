@@ -3,7 +3,6 @@
 
 #include "dsc/base/error.h"
 #include "scenes/file/excerpt.h"
-#include "scenes/name_list.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
-#include "scenes/output/write_file.h"
+#include "scenes/file/text_file.h"
 #include "scenes/run/json.h"
 #include "scenes/run/standard_archive.h"
 

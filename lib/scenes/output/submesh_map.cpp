@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/output/submesh_map.h"
 
-#include "scenes/output/write_file.h"
+#include "scenes/file/text_file.h"
 
 #include <nlohmann/json.hpp>
 

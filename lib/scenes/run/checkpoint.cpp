@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run/checkpoint.h"
 
-#include "replay/sealed_file.h"
 #include "scenes/run/run.h"
 #include "scenes/run/standard_archive.h"
 
@@ -19,13 +18,6 @@ static void archive(Archive& archive, AreaAccount& account) {
 } // namespace dsc
 
 namespace dsc::scenes {
-
-namespace {
-
-/// To be raised with every change of what a run writes.
-const SealedKind checkpoint_kind{.name = "dsc-run", .version = 9};
-
-} // namespace
 
 static void archive(Archive& archive, Figure& figure) { archive(figure.name, figure.value); }
 

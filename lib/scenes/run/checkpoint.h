@@ -4,12 +4,16 @@
 #pragma once
 
 #include "dsc/base/archive.h"
+#include "replay/sealed_file.h"
 #include "scenes/run/strategy.h"
 
 #include <string>
 #include <vector>
 
 namespace dsc::scenes {
+
+/// To be raised with every change of what a run writes.
+inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 9};
 
 /// What a run was asked for on the command line: enough to begin it again.
 struct RunOrigin {

@@ -7,7 +7,7 @@
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"
 #include "replay/mesh_hash.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 #include "scenes/output/progress.h"
 #include "scenes/run/clock.h"
 #include "scenes/run/dsc_method.h"

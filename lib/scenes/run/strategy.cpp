@@ -2,7 +2,7 @@
 #include "scenes/run/strategy.h"
 
 #include "dsc/base/error.h"
-#include "scenes/name_list.h"
+#include "scenes/file/excerpt.h"
 #include "thesis/divisions.h"
 
 #include <algorithm>
