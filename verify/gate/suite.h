@@ -30,8 +30,8 @@
 // The rules: "required" (unless given), "half as much again", "a tenth above", "a tenth below",
 // "less 15 %", and "kept" from a measurement that was better. A limit that does not stand in that
 // ratio to `measured` is refused. `orders` says that it was the worst of so many shuffled orders of
-// the interface, `note` is for people, and `at` says by which commit, when and where it was measured;
-// `dsc_verify propose --update` writes all but the note.
+// the interface, `note` is for people, and `at` says by which commit, when and where it was
+// measured; `dsc_verify propose --update` writes all but the note.
 #pragma once
 
 #include "checks.h"
