@@ -8,8 +8,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <ranges>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -65,11 +65,20 @@ public:
     /// Calls `task(share)` for each share of the curves, on several threads.
     template <class Task>
     void for_each_share(const InShares& in_shares, const Task& task) const;
+    /// Calls `visit(c)` for each curve, of which `c` is the place, in the shares.
+    template <class Visit>
+    void for_each_curve(const InShares& in_shares, const Visit& visit) const {
+        for_each_share(in_shares, [&](std::size_t share) {
+            for (std::size_t c = ends_[share].curves; c < ends_[share + 1].curves; ++c) {
+                visit(c);
+            }
+        });
+    }
     /// The curves in a share. No other share has any of their vertices.
     [[nodiscard]] CurvePart part(std::size_t share) const;
-    /// Their places among all curves.
-    [[nodiscard]] auto curves_of(std::size_t share) const {
-        return std::views::iota(ends_[share].curves, ends_[share + 1].curves);
+    /// Where they begin and end among all curves.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> curves_of(std::size_t share) const {
+        return {ends_[share].curves, ends_[share + 1].curves};
     }
     /// What no share has, with edges in the order of the network.
     [[nodiscard]] CurvePart junctions() const { return {junctions_, arms_, true}; }

@@ -85,7 +85,7 @@ void CurveSolver::eliminate_curve(std::size_t curve, std::span<const Block> diag
 
 void CurveSolver::eliminate(std::size_t share, std::span<const Block> diagonal,
                             std::span<const Block> coupling) {
-    for (const std::size_t curve : graph_->curves_of(share)) {
+    for (auto [curve, end] = graph_->curves_of(share); curve < end; ++curve) {
         eliminate_curve(curve, diagonal, coupling);
     }
 }
@@ -179,7 +179,7 @@ void CurveSolver::add_pressures(const PressureRows& rows) {
 // --- solution ------------------------------------------------------------------------------------
 
 void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
-    for (const std::size_t c : graph_->curves_of(share)) {
+    for (auto [c, end] = graph_->curves_of(share); c < end; ++c) {
         const NetworkCurve& curve = graph_->curves()[c];
         Point<double> before(0, 0); // the column before, by the inverse there
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
@@ -200,7 +200,7 @@ void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
 
 void CurveSolver::reduce(std::size_t share, std::span<const Point<double>> columns,
                          const PressureRows& rows) {
-    for (const std::size_t c : graph_->curves_of(share)) {
+    for (auto [c, end] = graph_->curves_of(share); c < end; ++c) {
         const NetworkCurve& curve = graph_->curves()[c];
         CurvePush& push = rows.pushes[c];
         Remainder& rest = rests_[c];
@@ -254,30 +254,28 @@ void CurveSolver::finish(std::span<Point<double>> columns, const InShares& in_sh
     const auto pressure = [&](int place) {
         return place < 0 ? 0.0 : rows.pressures[static_cast<std::size_t>(place)];
     };
-    graph_->for_each_share(in_shares, [&](std::size_t share) {
-        for (const std::size_t c : graph_->curves_of(share)) {
-            const NetworkCurve& curve = graph_->curves()[c];
-            double push = 0;
-            if (!rows.gains.empty() && rows.pushes[c].left != rows.pushes[c].right) {
-                push = pressure(rows.pushes[c].left) - pressure(rows.pushes[c].right);
+    graph_->for_each_curve(in_shares, [&](std::size_t c) {
+        const NetworkCurve& curve = graph_->curves()[c];
+        double push = 0;
+        if (!rows.gains.empty() && rows.pushes[c].left != rows.pushes[c].right) {
+            push = pressure(rows.pushes[c].left) - pressure(rows.pushes[c].right);
+        }
+        const auto add_push = [&](std::uint32_t v) {
+            if (push != 0) {
+                columns[v] += push * rows.columns[v];
             }
-            const auto add_push = [&](std::uint32_t v) {
-                if (push != 0) {
-                    columns[v] += push * rows.columns[v];
-                }
-            };
-            if (curve.is_loop) {
-                add_push(curve.from);
-            }
-            Point<double> after = rests_[c].to_last.of(columns[curve.to]);
-            for (std::size_t k = curve.end; k > curve.begin; --k) {
-                const Factor& factor = factors_[k - 1];
-                const std::uint32_t v = graph_->places()[k - 1].vertex;
-                add_push(v);
-                Point<double>& own = columns[v];
-                own = factor.inverse.of(own - after - factor.to_first.of(columns[curve.from]));
-                after = factor.to_before.transposed().of(own);
-            }
+        };
+        if (curve.is_loop) {
+            add_push(curve.from);
+        }
+        Point<double> after = rests_[c].to_last.of(columns[curve.to]);
+        for (std::size_t k = curve.end; k > curve.begin; --k) {
+            const Factor& factor = factors_[k - 1];
+            const std::uint32_t v = graph_->places()[k - 1].vertex;
+            add_push(v);
+            Point<double>& own = columns[v];
+            own = factor.inverse.of(own - after - factor.to_first.of(columns[curve.from]));
+            after = factor.to_before.transposed().of(own);
         }
     });
 }

@@ -178,11 +178,9 @@ PressureRows AreaKeeper::rows(std::span<const Point<double>> positions, const In
     if (kept_.empty()) {
         return {};
     }
-    graph_->for_each_share(in_shares, [&](std::size_t share) {
-        for (const std::size_t c : graph_->curves_of(share)) {
-            push(c, positions);
-            strands_[c].area = area_of(c, positions);
-        }
+    graph_->for_each_curve(in_shares, [&](std::size_t c) {
+        push(c, positions);
+        strands_[c].area = area_of(c, positions);
     });
     find_missing();
     return {.pushes = pushes_, .columns = columns_, .gains = missing_, .pressures = pressures_};
@@ -196,16 +194,14 @@ bool AreaKeeper::look(std::span<const Point<double>> positions,
     for (std::size_t v = 0; v < positions.size(); ++v) {
         places_[v] = positions[v] + displacements[v];
     }
-    graph_->for_each_share(in_shares, [&](std::size_t share) {
-        for (const std::size_t c : graph_->curves_of(share)) {
-            push(c, places_);
-            strands_[c].area = area_of(c, places_);
-            strands_[c].second = 0;
-            for_each_edge(
-                *graph_, graph_->curves()[c], [&](std::size_t, std::uint32_t a, std::uint32_t b) {
-                    strands_[c].second += std::abs(cross(displacements[a], displacements[b])) / 2;
-                });
-        }
+    graph_->for_each_curve(in_shares, [&](std::size_t c) {
+        push(c, places_);
+        strands_[c].area = area_of(c, places_);
+        strands_[c].second = 0;
+        for_each_edge(
+            *graph_, graph_->curves()[c], [&](std::size_t, std::uint32_t a, std::uint32_t b) {
+                strands_[c].second += std::abs(cross(displacements[a], displacements[b])) / 2;
+            });
     });
     find_missing();
     constexpr double rounding = 1e-6;
@@ -317,11 +313,9 @@ void AreaKeeper::shift(std::span<Point<double>> displacements, const InShares& i
                 move(arm.junction, pressure_on(arm.curve) * push_of(arm), drag);
             }
         });
-        graph_->for_each_share(in_shares, [&](std::size_t share) {
-            for (const std::size_t c : graph_->curves_of(share)) {
-                shift_curve(c);
-                strands_[c].area = area_of(c, places_);
-            }
+        graph_->for_each_curve(in_shares, [&](std::size_t c) {
+            shift_curve(c);
+            strands_[c].area = area_of(c, places_);
         });
         find_missing();
     }
