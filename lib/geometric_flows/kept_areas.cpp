@@ -81,6 +81,8 @@ std::vector<KeptArea> changeable(const CurveGraph& graph, std::span<const KeptAr
 
 void AreaKeeper::begin(const CurveGraph& graph, std::span<const KeptArea> kept) {
     graph_ = &graph;
+    origin_ =
+        graph.network().positions.empty() ? Point<double>(0, 0) : graph.network().positions[0];
     kept_.clear();
     if (!kept.empty()) {
         kept_ = changeable(graph, kept);
@@ -152,12 +154,13 @@ void AreaKeeper::push(std::size_t curve, std::span<const Point<double>> places) 
     }
 }
 
-// Relative to a vertex, so that an offset of all costs no digits.
+// Relative to where a vertex began, so that an offset of all costs no digits. Where that vertex is
+// now would not do: another thread may be moving it.
 double AreaKeeper::area_of(std::size_t curve, std::span<const Point<double>> places) const {
     double doubled = 0;
     for_each_edge(*graph_, graph_->curves()[curve],
                   [&](std::size_t, std::uint32_t a, std::uint32_t b) {
-                      doubled += cross<double>(places[a] - places[0], places[b] - places[0]);
+                      doubled += cross<double>(places[a] - origin_, places[b] - origin_);
                   });
     return doubled / 2;
 }

@@ -60,6 +60,7 @@ private:
     [[nodiscard]] double pressure_on(std::size_t curve) const;
 
     const CurveGraph* graph_ = nullptr;
+    Point<double> origin_{0, 0};         ///< of areas
     std::vector<KeptArea> kept_;         ///< those that can be, by phase
     std::vector<Arm> arms_;              ///< sorted
     std::vector<CurvePush> pushes_;      ///< by curve

@@ -2,11 +2,13 @@
 #include "geometric_flows/curve_solver.h"
 
 #include "geometric_flows/curve_network.h"
+#include "geometric_flows/kept_areas.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
@@ -237,6 +239,48 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
         EXPECT_NEAR(columns[v].x(), 1, 1e-12);
         EXPECT_TRUE(std::isnan(columns[v + 4].x()));
     }
+}
+
+// Closed curves, enough for several shares, whose areas are not yet what they are to be.
+TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
+    constexpr std::uint32_t discs = 8;
+    constexpr std::uint32_t sides = 150;
+    CurveNetwork network;
+    std::vector<KeptArea> kept;
+    for (std::uint32_t disc = 0; disc < discs; ++disc) {
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2 * std::numbers::pi * i / sides;
+            network.positions.emplace_back(disc + 0.4 * std::cos(angle), 0.3 * std::sin(angle));
+            network.edges.push_back({.from = disc * sides + i,
+                                     .to = disc * sides + (i + 1) % sides,
+                                     .left = static_cast<Phase>(disc + 1),
+                                     .right = exterior_phase});
+        }
+        kept.push_back({.phase = static_cast<Phase>(disc + 1), .area = 0.4});
+    }
+    network.freedom.resize(network.positions.size());
+    network.is_junction.resize(network.positions.size(), 0);
+    std::size_t most_shares = 0;
+    const InShares backwards = [&](std::size_t shares, const auto& task) {
+        most_shares = shares;
+        for (std::size_t share = shares; share > 0; --share) {
+            task(share - 1);
+        }
+    };
+    CurveGraph graph;
+    graph.begin(network);
+    AreaKeeper keeper;
+    keeper.begin(graph, kept);
+    std::array<std::vector<Column>, 2> found;
+    for (std::size_t i = 0; i < 2; ++i) {
+        found[i].assign(network.positions.size(), Column(0, 0));
+        const InShares& in_shares = i == 0 ? one_by_one : backwards;
+        (void)keeper.look(network.positions, found[i], in_shares);
+        keeper.shift(found[i], in_shares);
+        EXPECT_NE(found[i].front(), Column(0, 0));
+    }
+    EXPECT_GT(most_shares, 2U);
+    EXPECT_EQ(found[0], found[1]);
 }
 
 } // namespace
