@@ -108,13 +108,13 @@ namespace detail {
 struct CurvatureStep {
     CurveSystem system;
     AreaKeeper keeper;
-    std::vector<Point<double>> displacements;
+    std::vector<Vector2> displacements;
 
     void begin(const CurveGraph& graph, std::span<const KeptArea> kept) {
         system.begin(graph);
         keeper.begin(graph, kept);
     }
-    void make(std::span<const Point<double>> start, double dt, const InShares& in_shares) {
+    void make(std::span<const Vector2> start, double dt, const InShares& in_shares) {
         system.step(start, dt, in_shares, displacements, keeper.rows(start, in_shares));
         if (!keeper.look(start, displacements, in_shares)) {
             system.step(start, dt, in_shares, displacements);
@@ -130,15 +130,15 @@ struct CurvatureWork {
     CurveGraph graph;
     CurvatureStep whole;
     CurvatureStep half;
-    std::vector<Point<double>> first;
-    std::vector<Point<double>> middle;
+    std::vector<Vector2> first;
+    std::vector<Vector2> middle;
 
     /// The displacements of the network in dt, in `first`. One step and two of half the length;
     /// their errors of first order cancel in twice the one minus the other, which is still damped
     /// for stiff modes. The step and the first half do not depend on each other.
     void extrapolate(std::span<const KeptArea> kept, double dt, const InShares& in_shares) {
         constexpr std::size_t few = 128; // vertices: they are done before another thread has begun
-        const std::span<const Point<double>> start = network.positions;
+        const std::span<const Vector2> start = network.positions;
         const InShares& shares = start.size() < few ? one_by_one : in_shares;
         graph.begin(network);
         const auto make = [&](std::size_t i) {
@@ -195,7 +195,8 @@ InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options) {
                 [&](Phase phase) { return wall_energy(options, phase); }, work->network);
             work->extrapolate(options.kept_areas, static_cast<double>(dt), view.in_shares);
             for (std::size_t i = 0; i < displacements.size(); ++i) {
-                displacements[i] = work->first[i].template cast<Real>();
+                displacements[i] = {static_cast<Real>(work->first[i].x),
+                                    static_cast<Real>(work->first[i].y)};
             }
             spare->give(std::move(work));
         };

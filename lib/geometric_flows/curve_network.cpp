@@ -18,8 +18,8 @@ constexpr double shortest_edge = 1e-150;
 /// below the rounding error, 1e-16, would leave the matrix without an inverse, and hold all curves.
 constexpr double shortest_share = 1e-6;
 
-double length_of(const CurveEdge& edge, std::span<const Point<double>> positions, double shortest) {
-    return std::max((positions[edge.to] - positions[edge.from]).norm(), shortest);
+double length_of(const CurveEdge& edge, std::span<const Vector2> positions, double shortest) {
+    return std::max(norm(positions[edge.to] - positions[edge.from]), shortest);
 }
 
 Freedom operator+(const Freedom& one, const Freedom& other) {
@@ -31,7 +31,7 @@ Freedom operator*(double factor, const Freedom& of) {
 }
 
 /// The projection onto a unit vector.
-Freedom along(const Point<double>& t) { return {t.x() * t.x(), t.x() * t.y(), t.y() * t.y()}; }
+Freedom along(const Vector2& t) { return {t.x * t.x, t.x * t.y, t.y * t.y}; }
 
 constexpr Block block_of(const Freedom& f) { return {f.xx, f.xy, f.xy, f.yy}; }
 
@@ -55,12 +55,11 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
         return anywhere;
     }
     const Complex<Real>& complex = view.complex;
-    Point<double> before(0, 0);
-    Point<double> after(0, 0);
-    const Point<double> here = complex.position(view.vertices[i]).template cast<double>();
+    Vector2 before;
+    Vector2 after;
+    const Vector2 here = vector_of(complex.position(view.vertices[i]));
     const auto way_to = [&](Corner c) {
-        return Point<double>(complex.position(Vertex{complex.vertex(c)}).template cast<double>() -
-                             here);
+        return vector_of(complex.position(Vertex{complex.vertex(c)})) - here;
     };
     for_each_corner(complex, view.vertices[i], [&](Corner c) {
         if (is_border(complex.twin(prev(c)))) {
@@ -71,9 +70,8 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
         }
     });
     // The library slides vertices along straight boundaries only: any turn is a corner.
-    const bool is_straight =
-        after.x() * before.y() == after.y() * before.x() && after.dot(before) < 0;
-    return is_straight ? along(after / after.norm()) : nowhere;
+    const bool is_straight = after.x * before.y == after.y * before.x && dot(after, before) < 0;
+    return is_straight ? along(after / norm(after)) : nowhere;
 }
 
 void CurveSystem::begin(const CurveGraph& graph) {
@@ -93,10 +91,10 @@ void CurveSystem::begin(const CurveGraph& graph) {
     coupling_.resize(network.edges.size());
 }
 
-void CurveSystem::Drag::add(double more, const Point<double>& outwards) {
+void CurveSystem::Drag::add(double more, const Vector2& outwards) {
     const bool is_first = size == 0;
     size += more;
-    tangent = is_first ? outwards : Point<double>(tangent - outwards);
+    tangent = is_first ? outwards : tangent - outwards;
 }
 
 // Across the curve, but in all directions at the tip of a spike.
@@ -104,7 +102,7 @@ Freedom CurveSystem::Drag::across() const {
     if (size == 0) {
         return nowhere;
     }
-    const double length = tangent.norm();
+    const double length = norm(tangent);
     return length < 1e-3 ? size * anywhere
                          : size * (rest_of(along(tangent / length)) + drag_along * anywhere);
 }
@@ -116,20 +114,20 @@ Freedom CurveSystem::Drag::across() const {
 // curve resisted motion along it, a junction that slides would stretch those next to it alone, and
 // not balance its tensions: an error of the order of sqrt(dt). Without, all of the curve stretches
 // alike, which is an error of the order of dt.
-void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>> positions,
-                           double dt, std::span<Point<double>> forces) {
+void CurveSystem::assemble(const CurvePart& part, std::span<const Vector2> positions, double dt,
+                           std::span<Vector2> forces) {
     const CurveNetwork& network = graph_->network();
     const double shortest = std::max(shortest_share * std::sqrt(dt * fastest_), shortest_edge);
     for (const std::uint32_t i : part.vertices) {
         own_[i] = nowhere;
         between_[i] = {};
-        forces[i].setZero();
+        forces[i] = {};
     }
     for (const std::uint32_t e : part.edges) {
         const CurveEdge& edge = network.edges[e];
-        const Point<double> way = positions[edge.to] - positions[edge.from];
+        const Vector2 way = positions[edge.to] - positions[edge.from];
         const double length = length_of(edge, positions, shortest);
-        const Point<double> direction = way / length;
+        const Vector2 direction = way / length;
         const double stiffness = edge.forces.tension / length;
         const double half = edge.forces.drag * length / (2 * dt);
         const auto add_at = [&](std::uint32_t i, double sign) {
@@ -172,9 +170,8 @@ void CurveSystem::assemble(const CurvePart& part, std::span<const Point<double>>
     }
 }
 
-void CurveSystem::step(std::span<const Point<double>> positions, double dt,
-                       const InShares& in_shares, std::vector<Point<double>>& displacements,
-                       const PressureRows& rows) {
+void CurveSystem::step(std::span<const Vector2> positions, double dt, const InShares& in_shares,
+                       std::vector<Vector2>& displacements, const PressureRows& rows) {
     displacements.resize(positions.size());
     graph_->for_each_share(in_shares, [&](std::size_t share) {
         assemble(graph_->part(share), positions, dt, displacements);

@@ -5,9 +5,8 @@
 
 #include "dsc/motion/interface_flow.h"
 
+#include "geometric_flows/block.h"
 #include "geometric_flows/curve_solver.h"
-
-#include <Eigen/Core>
 
 #include <vector>
 
@@ -35,20 +34,20 @@ struct Freedom {
 
     /// In all of them, as nearly always.
     [[nodiscard]] bool is_full() const { return xx == 1 && yy == 1; }
-    [[nodiscard]] Point<double> of(const Point<double>& p) const {
-        return {xx * p.x() + xy * p.y(), xy * p.x() + yy * p.y()};
+    [[nodiscard]] Vector2 of(const Vector2& p) const {
+        return {xx * p.x + xy * p.y, xy * p.x + yy * p.y};
     }
 };
 
 /// A constant force on a vertex at which a curve ends on the domain boundary.
 struct EndForce {
     std::uint32_t vertex = no_id;
-    Point<double> force{0, 0}; ///< energy per length
+    Vector2 force; ///< energy per length
 };
 
 /// Indices are those of the view that it was made from.
 struct CurveNetwork {
-    std::vector<Point<double>> positions;
+    std::vector<Vector2> positions;
     std::vector<CurveEdge> edges; ///< each edge once
     std::vector<Freedom> freedom;
     std::vector<std::uint8_t> is_junction;
@@ -78,20 +77,20 @@ public:
     /// cannot be solved. With rows, pressures act during the step: the areas that they hold gain to
     /// first order what the rows say. Uses up the rows. O(vertices), and a sparse solution for the
     /// junctions and pressures.
-    void step(std::span<const Point<double>> positions, double dt, const InShares& in_shares,
-              std::vector<Point<double>>& displacements, const PressureRows& rows = {});
+    void step(std::span<const Vector2> positions, double dt, const InShares& in_shares,
+              std::vector<Vector2>& displacements, const PressureRows& rows = {});
 
 private:
     /// The drag of a vertex between two edges of a curve.
     struct Drag {
         double size = 0;
-        Point<double> tangent{0, 0}; ///< the sum of the two directions, one way or the other
+        Vector2 tangent; ///< the sum of the two directions, one way or the other
 
-        void add(double more, const Point<double>& outwards);
+        void add(double more, const Vector2& outwards);
         [[nodiscard]] Freedom across() const;
     };
-    void assemble(const CurvePart& part, std::span<const Point<double>> positions, double dt,
-                  std::span<Point<double>> forces);
+    void assemble(const CurvePart& part, std::span<const Vector2> positions, double dt,
+                  std::span<Vector2> forces);
 
     const CurveGraph* graph_ = nullptr;
     double fastest_ = 0;          ///< tension / drag at most, in area per time
@@ -119,7 +118,7 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
                                  is_wall ? wall : forces_of(left, right)});
     };
     for (std::size_t i = 0; i < n; ++i) {
-        network.positions.push_back(view.positions[i].template cast<double>());
+        network.positions.push_back(vector_of(view.positions[i]));
         network.freedom.push_back(freedom_of(view, i));
         if (!view.is_junction(i) && !view.is_junction(view.next[i])) {
             add(i, view.next[i], view.left[i], view.right[i]);
@@ -128,16 +127,15 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
     for (std::size_t k = 0; k < view.junctions.size(); ++k) {
         const std::uint32_t i = view.junctions[k];
         network.is_junction[i] = 1;
-        Point<double> pull(0, 0);
-        Point<double> along_wall(0, 0);
+        Vector2 pull;
+        Vector2 along_wall;
         for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
             const InterfaceArm& arm = view.arms[a];
             if (arm.left == border_phase || arm.right == border_phase) {
                 const Phase phase = arm.left == border_phase ? arm.right : arm.left;
-                const Point<double> way =
-                    (network.positions[arm.neighbour] - network.positions[i]).normalized();
-                pull += wall_energy(phase) * way;
-                along_wall += way;
+                const Vector2 way = network.positions[arm.neighbour] - network.positions[i];
+                pull += wall_energy(phase) * (way / norm(way));
+                along_wall += way / norm(way);
             }
             const bool is_along = arm.left == view.left[arm.neighbour];
             for (std::uint32_t v = arm.neighbour;
@@ -152,7 +150,7 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
         }
         // The boundary beside the exterior phase has no arm: it lies opposite to the one there is.
         pull -= wall_energy(exterior_phase) * along_wall;
-        if (pull != Point<double>(0, 0)) {
+        if (pull != Vector2{}) {
             network.ends.push_back({i, pull});
         }
     }

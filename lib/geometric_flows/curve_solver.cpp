@@ -141,14 +141,14 @@ void CurveSolver::add_block(std::uint32_t row, std::uint32_t column, const Block
 void CurveSolver::add_pressures(const PressureRows& rows) {
     yielding_.assign(rows.gains.size(), 0.0);
     const int first = 2 * static_cast<int>(left_.size());
-    const auto add_anchor = [&](int place, std::uint32_t anchor, const Point<double>& push) {
+    const auto add_anchor = [&](int place, std::uint32_t anchor, const Vector2& push) {
         const std::uint32_t number = graph_->number(anchor);
         if (place >= 0 && number != no_id) {
             const int column = 2 * static_cast<int>(number);
-            entries_.emplace_back(first + place, column, push.x());
-            entries_.emplace_back(first + place, column + 1, push.y());
+            entries_.emplace_back(first + place, column, push.x);
+            entries_.emplace_back(first + place, column + 1, push.y);
             yielding_[static_cast<std::size_t>(place)] +=
-                softness * push.squaredNorm() / (left_[number].xx + left_[number].yy);
+                softness * dot(push, push) / (left_[number].xx + left_[number].yy);
         }
     };
     for (std::size_t c = 0; c < graph_->curves().size() && !rows.gains.empty(); ++c) {
@@ -178,13 +178,13 @@ void CurveSolver::add_pressures(const PressureRows& rows) {
 
 // --- solution ------------------------------------------------------------------------------------
 
-void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
+void CurveSolver::reduce(std::size_t share, std::span<Vector2> columns) {
     for (auto [c, end] = graph_->curves_of(share); c < end; ++c) {
         const NetworkCurve& curve = graph_->curves()[c];
-        Point<double> before(0, 0); // the column before, by the inverse there
+        Vector2 before; // the column before, by the inverse there
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
             const Factor& factor = factors_[k];
-            Point<double>& own = columns[graph_->places()[k].vertex];
+            Vector2& own = columns[graph_->places()[k].vertex];
             if (k != curve.begin) {
                 own -= factor.to_before.of(before);
             }
@@ -198,7 +198,7 @@ void CurveSolver::reduce(std::size_t share, std::span<Point<double>> columns) {
     }
 }
 
-void CurveSolver::reduce(std::size_t share, std::span<const Point<double>> columns,
+void CurveSolver::reduce(std::size_t share, std::span<const Vector2> columns,
                          const PressureRows& rows) {
     for (auto [c, end] = graph_->curves_of(share); c < end; ++c) {
         const NetworkCurve& curve = graph_->curves()[c];
@@ -209,31 +209,31 @@ void CurveSolver::reduce(std::size_t share, std::span<const Point<double>> colum
         if (push.left == push.right || curve.begin == curve.end) {
             continue;
         }
-        Point<double> before(0, 0);
+        Vector2 before;
         for (std::size_t k = curve.begin; k < curve.end; ++k) {
             const Factor& factor = factors_[k];
             const std::uint32_t v = graph_->places()[k].vertex;
-            Point<double>& own = rows.columns[v];
+            Vector2& own = rows.columns[v];
             if (k != curve.begin) {
                 own -= factor.to_before.of(before);
             }
             before = factor.inverse.of(own);
             push.at_from -= factor.to_first.transposed().of(before);
-            rest.yielding += own.dot(before);
-            rest.gained += columns[v].dot(before);
+            rest.yielding += dot(own, before);
+            rest.gained += dot(columns[v], before);
         }
         push.at_to -= rest.to_last.transposed().of(before);
         if (curve.is_loop) {
-            const Point<double> own = rows.columns[curve.from] + push.at_from + push.at_to;
+            const Vector2 own = rows.columns[curve.from] + push.at_from + push.at_to;
             rows.columns[curve.from] = rest.cut_inverse.of(own);
-            rest.yielding += own.dot(rows.columns[curve.from]);
-            rest.gained += own.dot(columns[curve.from]);
+            rest.yielding += dot(own, rows.columns[curve.from]);
+            rest.gained += dot(own, columns[curve.from]);
         }
     }
 }
 
 // The forward substitution at the anchors of a curve.
-void CurveSolver::gather(std::size_t curve, std::span<Point<double>> columns) const {
+void CurveSolver::gather(std::size_t curve, std::span<Vector2> columns) const {
     const NetworkCurve& of = graph_->curves()[curve];
     if (of.begin == of.end) {
         return;
@@ -241,11 +241,11 @@ void CurveSolver::gather(std::size_t curve, std::span<Point<double>> columns) co
     for (std::size_t k = of.begin; k < of.end; ++k) {
         columns[of.from] -= to_from_[k];
     }
-    const Point<double>& last = columns[graph_->places()[of.end - 1].vertex];
+    const Vector2& last = columns[graph_->places()[of.end - 1].vertex];
     columns[of.to] -= rests_[curve].to_last.transposed().of(factors_[of.end - 1].inverse.of(last));
 }
 
-void CurveSolver::finish(std::span<Point<double>> columns, const InShares& in_shares,
+void CurveSolver::finish(std::span<Vector2> columns, const InShares& in_shares,
                          const PressureRows& rows) {
     for (std::size_t c = 0; c < graph_->between_junctions().size(); ++c) {
         gather(c, columns);
@@ -268,20 +268,19 @@ void CurveSolver::finish(std::span<Point<double>> columns, const InShares& in_sh
         if (curve.is_loop) {
             add_push(curve.from);
         }
-        Point<double> after = rests_[c].to_last.of(columns[curve.to]);
+        Vector2 after = rests_[c].to_last.of(columns[curve.to]);
         for (std::size_t k = curve.end; k > curve.begin; --k) {
             const Factor& factor = factors_[k - 1];
             const std::uint32_t v = graph_->places()[k - 1].vertex;
             add_push(v);
-            Point<double>& own = columns[v];
+            Vector2& own = columns[v];
             own = factor.inverse.of(own - after - factor.to_first.of(columns[curve.from]));
             after = factor.to_before.transposed().of(own);
         }
     });
 }
 
-void CurveSolver::solve_junctions(std::span<Point<double>> columns,
-                                  const PressureRows& rows) const {
+void CurveSolver::solve_junctions(std::span<Vector2> columns, const PressureRows& rows) const {
     const std::span<const std::uint32_t> junctions = graph_->junctions().vertices;
     const std::size_t first = 2 * junctions.size();
     if (first + rows.gains.size() == 0) {
@@ -289,7 +288,9 @@ void CurveSolver::solve_junctions(std::span<Point<double>> columns,
     }
     Eigen::VectorXd sides(static_cast<Eigen::Index>(first + rows.gains.size()));
     for (std::size_t k = 0; k < junctions.size(); ++k) {
-        sides.segment<2>(static_cast<Eigen::Index>(2 * k)) = columns[junctions[k]];
+        const auto i = static_cast<Eigen::Index>(2 * k);
+        sides[i] = columns[junctions[k]].x;
+        sides[i + 1] = columns[junctions[k]].y;
     }
     const std::span<double> gains(sides.data() + first, rows.gains.size());
     std::ranges::copy(rows.gains, gains.begin());
@@ -308,7 +309,8 @@ void CurveSolver::solve_junctions(std::span<Point<double>> columns,
         sides.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
     for (std::size_t k = 0; k < junctions.size(); ++k) {
-        columns[junctions[k]] = sides.segment<2>(static_cast<Eigen::Index>(2 * k));
+        const auto i = static_cast<Eigen::Index>(2 * k);
+        columns[junctions[k]] = {sides[i], sides[i + 1]};
     }
     for (std::size_t k = 0; k < rows.pressures.size(); ++k) {
         rows.pressures[k] = -sides[static_cast<Eigen::Index>(first + k)];

@@ -3,8 +3,7 @@
 // vertex and one for each edge: it is eliminated along each curve, junctions last.
 #pragma once
 
-#include "dsc/base/types.h"
-
+#include "geometric_flows/block.h"
 #include "geometric_flows/curve_graph.h"
 #include "geometric_flows/sparse_solver.h"
 
@@ -13,50 +12,22 @@
 
 namespace dsc {
 
-/// A matrix of two rows and two columns. Its products are written out: Eigen fuses the additions of
-/// its own where the processor can, and the result would depend on that.
-struct Block {
-    double xx = 0; ///< first row, first column
-    double xy = 0; ///< first row, second column
-    double yx = 0; ///< second row, first column
-    double yy = 0; ///< second row, second column
-
-    [[nodiscard]] Block transposed() const { return {xx, yx, xy, yy}; }
-    /// The product with a column.
-    [[nodiscard]] Point<double> of(const Point<double>& p) const {
-        return {xx * p.x() + xy * p.y(), yx * p.x() + yy * p.y()};
-    }
-    Block& operator+=(const Block& other) {
-        xx += other.xx;
-        xy += other.xy;
-        yx += other.yx;
-        yy += other.yy;
-        return *this;
-    }
-};
-
-[[nodiscard]] constexpr Block operator-(const Block& a) { return {-a.xx, -a.xy, -a.yx, -a.yy}; }
-[[nodiscard]] constexpr Block operator*(const Block& a, const Block& b) {
-    return {a.xx * b.xx + a.xy * b.yx, a.xx * b.xy + a.xy * b.yy, a.yx * b.xx + a.yy * b.yx,
-            a.yx * b.xy + a.yy * b.yy};
-}
-
-/// What holds the areas beside a curve, by pressures there: the pressure on its left less that on
-/// its right pushes its vertices by so much, and what their displacements take along the same
-/// columns is what the area on its left gains, and the other loses.
+/// How the pressures beside a curve act on it. The pressure on its left less that on its right,
+/// times the push of a vertex, is the force there; the displacement of a vertex, times the same
+/// push, is the area that the left gains and the right loses.
 struct CurvePush {
-    int left = -1;               ///< place of that pressure, or -1 if there is none
-    int right = -1;              ///< the same
-    Point<double> at_from{0, 0}; ///< the push on its first anchor, unless the curve is a loop
-    Point<double> at_to{0, 0};   ///< on its last one
+    int left = -1;     ///< place of that pressure, or -1 if there is none
+    int right = -1;    ///< the same
+    Vector2 at_from{}; ///< the push on its first anchor, unless the curve is a loop
+    Vector2 at_to{};   ///< on its last one
 };
 
 /// Pressures that hold areas, as further unknowns: all that they push, and what they hold.
 struct PressureRows {
-    std::span<CurvePush> pushes;      ///< by curve
-    std::span<Point<double>> columns; ///< the push by vertex, but at junctions
-    std::span<const double> gains;    ///< by pressure: by how much its area is to grow
-    std::span<double> pressures;      ///< by pressure: the solution
+    std::span<CurvePush> pushes;   ///< by curve
+    std::span<Vector2> columns;    ///< the push by vertex, but at junctions
+    std::span<const double> gains; ///< by pressure: by how much its area is to grow
+    std::span<double> pressures;   ///< by pressure: the solution
 };
 
 /// A block elimination in the order of the curves (Cholesky's method for a block tridiagonal matrix
@@ -77,15 +48,14 @@ public:
     void eliminate(std::size_t share, std::span<const Block> diagonal,
                    std::span<const Block> coupling);
     /// The forward substitution in a share that is eliminated, but at junctions. O(vertices).
-    void reduce(std::size_t share, std::span<Point<double>> columns);
+    void reduce(std::size_t share, std::span<Vector2> columns);
     /// The same for pressures, whose columns and anchors' pushes it changes. O(vertices).
-    void reduce(std::size_t share, std::span<const Point<double>> columns,
-                const PressureRows& rows);
+    void reduce(std::size_t share, std::span<const Vector2> columns, const PressureRows& rows);
     /// Of what is left when all shares are reduced: a sparse factorisation. No rows: no pressures.
     void factorise_junctions(std::span<const Block> diagonal, const PressureRows& rows = {});
     /// Solves for columns that are reduced in all shares. A closed curve without a solution becomes
     /// NaN; so do all other vertices where the curves between junctions have none. O(vertices).
-    void finish(std::span<Point<double>> columns, const InShares& in_shares,
+    void finish(std::span<Vector2> columns, const InShares& in_shares,
                 const PressureRows& rows = {});
 
 private:
@@ -108,17 +78,17 @@ private:
 
     void eliminate_curve(std::size_t curve, std::span<const Block> diagonal,
                          std::span<const Block> coupling);
-    void gather(std::size_t curve, std::span<Point<double>> columns) const;
+    void gather(std::size_t curve, std::span<Vector2> columns) const;
     void add_block(std::uint32_t row, std::uint32_t column, const Block& block);
     void add_pressures(const PressureRows& rows);
-    void solve_junctions(std::span<Point<double>> columns, const PressureRows& rows) const;
+    void solve_junctions(std::span<Vector2> columns, const PressureRows& rows) const;
 
     const CurveGraph* graph_ = nullptr;
-    std::vector<Factor> factors_;        ///< by place
-    std::vector<Remainder> rests_;       ///< by curve
-    std::vector<Point<double>> to_from_; ///< by place: what it takes from the column of `from`
-    std::vector<Block> left_;            ///< diagonal blocks of the junctions
-    std::vector<double> yielding_;       ///< of pressures
+    std::vector<Factor> factors_;  ///< by place
+    std::vector<Remainder> rests_; ///< by curve
+    std::vector<Vector2> to_from_; ///< by place: what it takes from the column of `from`
+    std::vector<Block> left_;      ///< diagonal blocks of the junctions
+    std::vector<double> yielding_; ///< of pressures
     std::vector<Eigen::Triplet<double>> entries_;
     SparseSolver junction_solver_;
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometric_flows/kept_areas.h"
 
-#include "dsc/geometry/points.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,8 +79,7 @@ std::vector<KeptArea> changeable(const CurveGraph& graph, std::span<const KeptAr
 
 void AreaKeeper::begin(const CurveGraph& graph, std::span<const KeptArea> kept) {
     graph_ = &graph;
-    origin_ =
-        graph.network().positions.empty() ? Point<double>(0, 0) : graph.network().positions[0];
+    origin_ = graph.network().positions.empty() ? Vector2{} : graph.network().positions[0];
     kept_.clear();
     if (!kept.empty()) {
         kept_ = changeable(graph, kept);
@@ -115,25 +112,28 @@ void AreaKeeper::begin(const CurveGraph& graph, std::span<const KeptArea> kept) 
 // --- areas and their derivatives -----------------------------------------------------------------
 
 // An edge pushes each of its ends by half of its length along the normal to its right, as far as
-// they are free to move, and each has half of its drag.
-void AreaKeeper::push(std::size_t curve, std::span<const Point<double>> places) {
+// they are free to move, and each has half of its drag, which only shifts need.
+void AreaKeeper::push(std::size_t curve, std::span<const Vector2> places, bool with_drag) {
     const NetworkCurve& of = graph_->curves()[curve];
     const CurveNetwork& network = graph_->network();
     const double drag = network.edges[of.last.edge].forces.drag;
-    CurvePush& push = pushes_[curve];
-    Strand& strand = strands_[curve];
+    CurvePush push = pushes_[curve];
+    Strand strand = strands_[curve];
     strand.yielding = 0;
-    const auto set = [&](std::uint32_t v, const Point<double>& normal, double halves) {
-        columns_[v] = network.freedom[v].of(normal);
-        drag_[v] = halves;
-        strand.yielding += halves > 0 ? columns_[v].squaredNorm() / halves : 0.0;
+    const auto set = [&](std::uint32_t v, const Vector2& normal, double halves) {
+        const Vector2 column = network.freedom[v].of(normal);
+        columns_[v] = column;
+        if (with_drag) {
+            drag_[v] = halves;
+            strand.yielding += halves > 0 ? dot(column, column) / halves : 0.0;
+        }
     };
-    Point<double> before(0, 0);
+    Vector2 before;
     double half_before = 0;
     for_each_edge(*graph_, of, [&](std::size_t k, std::uint32_t a, std::uint32_t b) {
-        const Point<double> way = places[b] - places[a];
-        const Point<double> normal = Point<double>(way.y(), -way.x()) / 2;
-        const double half = drag * normal.norm();
+        const Vector2 way = places[b] - places[a];
+        const Vector2 normal = Vector2{way.y, -way.x} / 2;
+        const double half = with_drag ? drag * norm(normal) : 0.0;
         if (k == of.begin) {
             push.at_from = normal;
             strand.half_at_from = half;
@@ -147,20 +147,22 @@ void AreaKeeper::push(std::size_t curve, std::span<const Point<double>> places) 
     strand.half_at_to = half_before;
     if (of.is_loop) {
         set(of.from, push.at_from + push.at_to, strand.half_at_from + strand.half_at_to);
-        push.at_from = push.at_to = Point<double>(0, 0);
+        push.at_from = push.at_to = Vector2{};
     } else {
         push.at_from = network.freedom[of.from].of(push.at_from);
         push.at_to = network.freedom[of.to].of(push.at_to);
     }
+    pushes_[curve] = push;
+    strands_[curve] = strand;
 }
 
 // Relative to where a vertex began, so that an offset of all costs no digits. Where that vertex is
 // now would not do: another thread may be moving it.
-double AreaKeeper::area_of(std::size_t curve, std::span<const Point<double>> places) const {
+double AreaKeeper::area_of(std::size_t curve, std::span<const Vector2> places) const {
     double doubled = 0;
     for_each_edge(*graph_, graph_->curves()[curve],
                   [&](std::size_t, std::uint32_t a, std::uint32_t b) {
-                      doubled += cross<double>(places[a] - origin_, places[b] - origin_);
+                      doubled += cross(places[a] - origin_, places[b] - origin_);
                   });
     return doubled / 2;
 }
@@ -177,20 +179,20 @@ void AreaKeeper::find_missing() {
     }
 }
 
-PressureRows AreaKeeper::rows(std::span<const Point<double>> positions, const InShares& in_shares) {
+PressureRows AreaKeeper::rows(std::span<const Vector2> positions, const InShares& in_shares) {
     if (kept_.empty()) {
         return {};
     }
     graph_->for_each_curve(in_shares, [&](std::size_t c) {
-        push(c, positions);
+        push(c, positions, false);
         strands_[c].area = area_of(c, positions);
     });
     find_missing();
     return {.pushes = pushes_, .columns = columns_, .gains = missing_, .pressures = pressures_};
 }
 
-bool AreaKeeper::look(std::span<const Point<double>> positions,
-                      std::span<const Point<double>> displacements, const InShares& in_shares) {
+bool AreaKeeper::look(std::span<const Vector2> positions, std::span<const Vector2> displacements,
+                      const InShares& in_shares) {
     if (kept_.empty()) {
         return true;
     }
@@ -198,7 +200,7 @@ bool AreaKeeper::look(std::span<const Point<double>> positions,
         places_[v] = positions[v] + displacements[v];
     }
     graph_->for_each_curve(in_shares, [&](std::size_t c) {
-        push(c, places_);
+        push(c, places_, true);
         strands_[c].area = area_of(c, places_);
         strands_[c].second = 0;
         for_each_edge(
@@ -248,7 +250,7 @@ bool AreaKeeper::prepare() {
         for (const Arm& one : arms) {
             for (const Arm& other : arms) {
                 add_pair(pushes_[one.curve], pushes_[other.curve],
-                         push_of(one).dot(push_of(other)) / drag);
+                         dot(push_of(one), push_of(other)) / drag);
             }
         }
     });
@@ -274,7 +276,7 @@ void AreaKeeper::for_each_junction(const Visit& visit) const {
     }
 }
 
-const Point<double>& AreaKeeper::push_of(const Arm& arm) const {
+const Vector2& AreaKeeper::push_of(const Arm& arm) const {
     return arm.is_last ? pushes_[arm.curve].at_to : pushes_[arm.curve].at_from;
 }
 
@@ -285,13 +287,13 @@ double AreaKeeper::pressure_on(std::size_t curve) const {
     return at(pushes_[curve].left) - at(pushes_[curve].right);
 }
 
-void AreaKeeper::shift(std::span<Point<double>> displacements, const InShares& in_shares) {
+void AreaKeeper::shift(std::span<Vector2> displacements, const InShares& in_shares) {
     // Area is quadratic in the displacement: a shift leaves about its square.
     constexpr int shifts = 3;
     if (kept_.empty() || !prepare()) {
         return;
     }
-    const auto move = [&](std::uint32_t v, const Point<double>& push, double drag) {
+    const auto move = [&](std::uint32_t v, const Vector2& push, double drag) {
         if (drag > 0) {
             displacements[v] += push / drag;
             places_[v] += push / drag;

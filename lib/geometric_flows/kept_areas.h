@@ -22,16 +22,16 @@ public:
 
     /// What pressures do during a step from these positions; empty where no area is to be kept.
     /// O(edges).
-    PressureRows rows(std::span<const Point<double>> positions, const InShares& in_shares);
+    PressureRows rows(std::span<const Vector2> positions, const InShares& in_shares);
     /// Looks at where displacements lead. Whether pressures have held the areas to first order:
     /// what is missing is of second order in the displacements. It is not where areas contradict
     /// each other. O(edges).
-    bool look(std::span<const Point<double>> positions,
-              std::span<const Point<double>> displacements, const InShares& in_shares);
+    bool look(std::span<const Vector2> positions, std::span<const Vector2> displacements,
+              const InShares& in_shares);
     /// Adds to the displacements that were looked at last what gives each phase its area to
     /// rounding. Little has to be missing: vertices move by the shortest way, without tension.
     /// O(edges), and a sparse factorisation for the phases.
-    void shift(std::span<Point<double>> displacements, const InShares& in_shares);
+    void shift(std::span<Vector2> displacements, const InShares& in_shares);
 
 private:
     /// A junction, and one end of one of its curves.
@@ -50,25 +50,25 @@ private:
         double half_at_to = 0;   ///< of its last one
     };
 
-    void push(std::size_t curve, std::span<const Point<double>> places);
-    [[nodiscard]] double area_of(std::size_t curve, std::span<const Point<double>> places) const;
+    void push(std::size_t curve, std::span<const Vector2> places, bool with_drag);
+    [[nodiscard]] double area_of(std::size_t curve, std::span<const Vector2> places) const;
     void find_missing();
     [[nodiscard]] bool prepare();
     template <class Visit>
     void for_each_junction(const Visit& visit) const;
-    [[nodiscard]] const Point<double>& push_of(const Arm& arm) const;
+    [[nodiscard]] const Vector2& push_of(const Arm& arm) const;
     [[nodiscard]] double pressure_on(std::size_t curve) const;
 
     const CurveGraph* graph_ = nullptr;
-    Point<double> origin_{0, 0};         ///< of areas
-    std::vector<KeptArea> kept_;         ///< those that can be, by phase
-    std::vector<Arm> arms_;              ///< sorted
-    std::vector<CurvePush> pushes_;      ///< by curve
-    std::vector<Strand> strands_;        ///< by curve
-    std::vector<Point<double>> columns_; ///< by vertex: the push, but at junctions
-    std::vector<double> drag_;           ///< by vertex: half of that of its edges
-    std::vector<Point<double>> places_;  ///< by vertex
-    std::vector<double> missing_;        ///< what each area lacks
+    Vector2 origin_{};              ///< of areas
+    std::vector<KeptArea> kept_;    ///< those that can be, by phase
+    std::vector<Arm> arms_;         ///< sorted
+    std::vector<CurvePush> pushes_; ///< by curve
+    std::vector<Strand> strands_;   ///< by curve
+    std::vector<Vector2> columns_;  ///< by vertex: the push, but at junctions
+    std::vector<double> drag_;      ///< by vertex: half of that of its edges
+    std::vector<Vector2> places_;   ///< by vertex
+    std::vector<double> missing_;   ///< what each area lacks
     std::vector<double> pressures_;
     std::vector<Eigen::Triplet<double>> entries_;
     SparseSolver solver_; ///< from areas to pressures, without tension

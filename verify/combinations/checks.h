@@ -43,18 +43,6 @@ template <class Real>
     return is_exact ? "" : "the field is off by " + std::to_string(worst);
 }
 
-/// Whether a flow sees each vertex once.
-template <class Real>
-[[nodiscard]] std::string view_fault(const InterfaceView<Real>& view) {
-    std::vector<std::uint32_t> seen;
-    for (const Vertex v : view.vertices) {
-        seen.push_back(v.id);
-    }
-    std::ranges::sort(seen);
-    const auto twice = std::ranges::adjacent_find(seen);
-    return twice == seen.end() ? "" : "vertex " + std::to_string(*twice) + " is seen twice";
-}
-
 /// What the events of a step took is given back or owed, if that is asked for. Only areas that go
 /// to and fro between the same two phases are set off against each other.
 [[nodiscard]] inline std::string account_fault(const test::ChangingReport& report,

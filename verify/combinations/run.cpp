@@ -4,6 +4,7 @@
 #include "combinations/checks.h"
 #include "combinations/settings.h"
 #include "measures/interface_outlines.h"
+#include "support/interface_view_testing.h"
 #include "support/random/scene.h"
 
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -129,7 +130,7 @@ private:
 
     void look_at(const InterfaceView<Real>& view) {
         if (manner_.threads == 1) { // the others end with the same mesh, or are refused for that
-            note(view_fault(view));
+            note(test::view_fault(view));
         }
     }
 

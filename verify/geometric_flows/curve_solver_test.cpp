@@ -20,7 +20,7 @@ namespace {
 class Network {
 public:
     std::uint32_t vertex(bool is_junction) {
-        network.positions.emplace_back(0, 0);
+        network.positions.emplace_back();
         network.is_junction.push_back(is_junction ? 1 : 0);
         return static_cast<std::uint32_t>(network.positions.size() - 1);
     }
@@ -73,7 +73,7 @@ CurveNetwork draw(unsigned seed) {
     return made.network;
 }
 
-using Column = Point<double>;
+using Column = Vector2;
 
 // What the rows of the whole matrix give.
 std::vector<Column> product(const CurveNetwork& network, const std::vector<Block>& diagonal,
@@ -81,7 +81,7 @@ std::vector<Column> product(const CurveNetwork& network, const std::vector<Block
                             const std::vector<Column>& columns) {
     std::vector<Column> sum;
     for (std::uint32_t v = 0; v < diagonal.size(); ++v) {
-        sum.emplace_back(diagonal[v].of(columns[v]));
+        sum.push_back(diagonal[v].of(columns[v]));
     }
     for (std::size_t e = 0; e < coupling.size(); ++e) {
         const auto [from, to] = std::pair(network.edges[e].from, network.edges[e].to);
@@ -111,12 +111,12 @@ struct Pushes {
     std::vector<Column> columns;
 
     Pushes(const CurveGraph& graph, int pressures, std::mt19937& lot)
-        : columns(graph.network().positions.size(), Column(0, 0)) {
+        : columns(graph.network().positions.size()) {
         std::uniform_real_distribution<double> number(-1, 1);
         std::uniform_int_distribution<int> place(-1, pressures - 1);
         for (const NetworkCurve& curve : graph.curves()) {
             of_curves.push_back({.left = place(lot), .right = place(lot)});
-            const auto any = [&] { return Column(number(lot), number(lot)); };
+            const auto any = [&] { return Column{number(lot), number(lot)}; };
             for (std::size_t k = curve.begin; k < curve.end; ++k) {
                 columns[graph.places()[k].vertex] = any();
             }
@@ -182,13 +182,13 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
         for (int round = 0; round < 2; ++round) { // the second one has what the first has left
             std::vector<Column> columns;
             for (std::size_t v = 0; v < n; ++v) {
-                columns.emplace_back(number(lot), number(lot));
+                columns.push_back({number(lot), number(lot)});
             }
             const std::vector<Column> wanted = columns;
             solve(solver, graph, diagonal, coupling, columns, backwards);
             const std::vector<Column> found = product(network, diagonal, coupling, columns);
             for (std::uint32_t v = 0; v < n; ++v) {
-                EXPECT_LT((found[v] - wanted[v]).norm(), 1e-10)
+                EXPECT_LT(norm(found[v] - wanted[v]), 1e-10)
                     << "seed " << seed << ", vertex " << v << " of " << n;
             }
             // What three pressures do, found from the areas that they give.
@@ -202,7 +202,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             std::array<double, 3> gains{};
             pushes.for_each(
                 graph, [&](std::size_t place, double sign, std::uint32_t v, const Column& push) {
-                    gains[place] += sign * push.dot(pushed[v]);
+                    gains[place] += sign * dot(push, pushed[v]);
                 });
             std::array<double, 3> pressures{};
             columns = wanted;
@@ -212,7 +212,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
                    .gains = gains,
                    .pressures = pressures});
             for (std::uint32_t v = 0; v < n; ++v) {
-                EXPECT_LT((columns[v] - pushed[v]).norm(), 1e-4 * (1 + pushed[v].norm()))
+                EXPECT_LT(norm(columns[v] - pushed[v]), 1e-4 * (1 + norm(pushed[v])))
                     << "seed " << seed << ", vertex " << v << " of " << n << " under pressure";
             }
         }
@@ -233,11 +233,11 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
     graph.begin(made.network);
     CurveSolver solver;
     solver.begin(graph);
-    std::vector<Column> columns(8, Column(1, 1));
+    std::vector<Column> columns(8, Column{1, 1});
     solve(solver, graph, diagonal, coupling, columns, one_by_one);
     for (std::size_t v = 0; v < 4; ++v) {
-        EXPECT_NEAR(columns[v].x(), 1, 1e-12);
-        EXPECT_TRUE(std::isnan(columns[v + 4].x()));
+        EXPECT_NEAR(columns[v].x, 1, 1e-12);
+        EXPECT_TRUE(std::isnan(columns[v + 4].x));
     }
 }
 
@@ -250,7 +250,7 @@ TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
     for (std::uint32_t disc = 0; disc < discs; ++disc) {
         for (std::uint32_t i = 0; i < sides; ++i) {
             const double angle = 2 * std::numbers::pi * i / sides;
-            network.positions.emplace_back(disc + 0.4 * std::cos(angle), 0.3 * std::sin(angle));
+            network.positions.push_back({disc + 0.4 * std::cos(angle), 0.3 * std::sin(angle)});
             network.edges.push_back({.from = disc * sides + i,
                                      .to = disc * sides + (i + 1) % sides,
                                      .left = static_cast<Phase>(disc + 1),
@@ -273,11 +273,11 @@ TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
     keeper.begin(graph, kept);
     std::array<std::vector<Column>, 2> found;
     for (std::size_t i = 0; i < 2; ++i) {
-        found[i].assign(network.positions.size(), Column(0, 0));
+        found[i].assign(network.positions.size(), {});
         const InShares& in_shares = i == 0 ? one_by_one : backwards;
         (void)keeper.look(network.positions, found[i], in_shares);
         keeper.shift(found[i], in_shares);
-        EXPECT_NE(found[i].front(), Column(0, 0));
+        EXPECT_NE(found[i].front(), Column{});
     }
     EXPECT_GT(most_shares, 2U);
     EXPECT_EQ(found[0], found[1]);

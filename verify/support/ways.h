@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sequential method, or one division of the mesh into four submeshes on all threads.
+// The sequential method, or one division of the mesh into four submeshes, on one thread.
 #pragma once
 
 #include "dsc/parallel/parallel.h"
@@ -21,8 +21,7 @@ inline std::unique_ptr<Executor<double>> executor_of(Way way, Complex<double>& c
     if (!way) {
         return nullptr;
     }
-    return make_executor(complex, options,
-                         Parallel{.division = way, .submeshes = 4, .always_all_threads = true});
+    return make_executor(complex, options, Parallel{.division = way, .submeshes = 4});
 }
 
 } // namespace dsc::test
