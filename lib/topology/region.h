@@ -80,8 +80,9 @@ template <class Real>
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Point<Real> direction(const Complex<Real>& complex,
                                                                Corner c) {
-    return complex.position(Vertex{complex.vertex(prev(c))}) -
-           complex.position(Vertex{complex.vertex(next(c))});
+    const VertexRecord<Real>& from = complex.vertices[complex.vertex(next(c))];
+    const VertexRecord<Real>& to = complex.vertices[complex.vertex(prev(c))];
+    return {to.x - from.x, to.y - from.y};
 }
 
 /// Twice the area.

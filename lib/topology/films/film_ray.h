@@ -27,17 +27,21 @@ template <class Real, class Visit>
     const Point<Real> along = direction(complex, sheet);
     const Point<Real> start =
         complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
-    const Point<Real> way = Point<Real>(-along.y(), along.x()) / along.norm();
+    const Real length = std::sqrt(along.x() * along.x() + along.y() * along.y());
+    const Point<Real> way(-along.y() / length, along.x() / length);
+    const auto to_vertex = [&](Corner c) { // in scalars, for which nothing waits
+        const VertexRecord<Real>& v = complex.vertices[complex.vertex(c)];
+        return Point<Real>(v.x - start.x(), v.y - start.y());
+    };
     Corner entered = sheet;
     Real from = 0;
     for (int i = 0; i < most_triangles; ++i) {
-        const Point<Real> apex = complex.position(Vertex{complex.vertex(entered)}) - start;
         // The edge that it leaves through lies opposite to one end of the edge that it came
         // through.
-        const Corner out = cross<Real>(way, apex) > 0 ? next(entered) : prev(entered);
-        const Point<Real> first = complex.position(Vertex{complex.vertex(next(out))}) - start;
+        const Corner out =
+            cross<Real>(way, to_vertex(entered)) > 0 ? next(entered) : prev(entered);
         const Point<Real> edge = direction(complex, out);
-        const Real to = cross<Real>(first, edge) / cross<Real>(way, edge);
+        const Real to = cross<Real>(to_vertex(next(out)), edge) / cross<Real>(way, edge);
         if (!(to < longest)) { // or no number
             return {};
         }
