@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whole runs of a scene, as an application makes them: a simulation is constructed, its first step
-// is done, then all the others, with other work of the application between two steps. The counter
-// `us_per_step` is the sum of all steps over their number, without what lies between them; the
-// first run of the process is not timed, so that all runs find their code and memory in use.
+// Whole runs of any scene, as an application makes them: a simulation is constructed, its first
+// step is done, then all the others, with other work of the application between two steps. The
+// counter `us_per_step` is the sum of all steps over their number, without what lies between them;
+// the first run of the process is not timed, so that all runs find their code and memory in use.
 #include "context.h"
 #include "refusal.h"
 #include "step_run.h"
@@ -10,12 +10,13 @@
 
 #include "dsc/base/error.h"
 #include "replay/mesh_hash.h"
-#include "scenes/run/start.h"
+#include "scenes/run/dsc_method.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 namespace dsc::bench {
 
@@ -41,49 +42,55 @@ void work_for(int microseconds) {
     }
 }
 
-WholeRun run_whole(const Start& start, Complex<double>& complex, const scenes::RunOptions& options,
-                   int between_us) {
-    const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
+WholeRun run_whole(const Row& row, std::uint32_t threads, int between_us,
+                   const std::function<void(const Complex<double>&, const StepRun&)>& look) {
+    const Start& start = *row.start;
+    Complex<double> complex = start.complex;
     WholeRun run;
     const auto begin = Clock::now();
-    const Prepared made = prepare(start, complex, choices, options.strategy, options.submeshing);
+    scenes::DscMethod<double> method(start.setup, start.parameters, row.options(threads),
+                                     std::move(complex));
     run.construction_s = seconds_since(begin);
-    for (int step = 0; step < start.setup.steps; ++step) {
+    scenes::RunResult result;
+    for (int step = 0; step < start.setup.steps && result.gave_up.empty(); ++step) {
         work_for(between_us);
         const auto step_begin = Clock::now();
-        const StepReport report = advance(*made.simulation, start.setup, step);
+        method.step(step * start.setup.dt, (step + 1) * start.setup.dt, result);
         const double seconds = seconds_since(step_begin);
         run.first_step_s = step == 0 ? seconds : run.first_step_s;
         run.steps_s += seconds;
-        run.steps.threads_used = std::max(run.steps.threads_used, made.threads_used());
-        run.steps.vertex_steps += report.interface_vertices;
-        run.steps.unreached += report.unreached;
-        run.steps.gave_up = run.steps.gave_up || report.gave_up != GiveUp::none;
+        run.steps.threads_used = std::max(run.steps.threads_used, method.threads_used());
+        run.steps.vertex_steps += static_cast<double>(method.interface_vertices());
     }
     run.steps.steps = start.setup.steps;
-    made.add_work(run.steps, 1);
+    run.steps.unreached = result.unreached;
+    run.steps.gave_up = !result.gave_up.empty();
+    add_work(run.steps, method.executor(), 1);
     run.steps.busy_s += run.steps_s;
+    look(method.complex(), run.steps);
     return run;
 }
 
 // On one thread: it is the run that is not timed.
 Answer run_once(const Row& row) {
     const Start& start = *row.start;
-    Complex<double> complex = start.complex;
-    const WholeRun run = run_whole(start, complex, row.options(1), 0);
-    return check_answer(start, complex, run.steps, run.steps.steps, start.area_limit);
+    Answer answer;
+    run_whole(row, 1, 0, [&](const Complex<double>& complex, const StepRun& run) {
+        answer = check_answer(start, complex, run, run.steps, start.area_limit);
+    });
+    return answer;
 }
 
 void measure_run(benchmark::State& state, const Row& row) {
-    const Start& start = *row.start;
     const Answer& expected = answer_of(row, [&] { return run_once(row); });
-    for (auto _ : state) {
-        Complex<double> complex = start.complex;
-        const double load = other_load();
-        const WholeRun run = run_whole(start, complex, row.options(row.threads), row.between_us);
-        if (run.steps.unreached > 0 || run.steps.gave_up || mesh_hash(complex) != expected.hash) {
+    const auto check = [&](const Complex<double>& complex, const StepRun& run) {
+        if (run.unreached > 0 || run.gave_up || mesh_hash(complex) != expected.hash) {
             throw InvariantError("the mesh is not that of a run with one thread");
         }
+    };
+    for (auto _ : state) {
+        const double load = other_load();
+        const WholeRun run = run_whole(row, row.threads, row.between_us, check);
         state.SetIterationTime(run.steps_s);
         count(state, row, run.steps, run.steps_s, expected, load);
         state.counters["construction_us"] = run.construction_s * 1e6;

@@ -33,15 +33,16 @@ double area_limit_of_round(const scenes::Setup& setup, double h) {
     return 1.4 * 1.4 * h * h / (6 * radius * radius) + 2 * 0.02 * h / radius;
 }
 
-void check_motion(const Workload& workload, const scenes::Setup& setup, const std::string& where) {
-    if (setup.sees_interface() || setup.value) {
-        throw InputError({.what = "this scene cannot be measured here",
+void check_usable(const Workload& workload, const scenes::Setup& setup, const std::string& where) {
+    if (workload.part != Part::whole && (setup.sees_interface() || setup.value)) {
+        throw InputError({.what = "single steps of this scene cannot be measured",
                           .where = where,
                           .value = workload.scene.name + ", with " +
                                    (setup.curvature ? "curvature"
                                     : setup.growth  ? "growth"
+                                    : setup.fluid   ? "a fluid"
                                                     : "a value at its vertices"),
-                          .allowed = "scenes that move by a velocity alone"});
+                          .allowed = "scenes that move by a velocity alone; or measure = \"run\""});
     }
     if (workload.parameters.real != scenes::RealType::double_precision) {
         throw InputError({.what = "measurements are in double precision",
@@ -80,7 +81,7 @@ std::shared_ptr<Start> plan(const Workload& workload, const std::string& where) 
         parameters.dt = *workload.dt_over_h * parameters.h;
     }
     start->setup = scene.prepare(parameters);
-    check_motion(workload, start->setup, where);
+    check_usable(workload, start->setup, where);
     parameters.dt = start->setup.dt;
     start->step = first_step(workload, start->setup, where);
     const int last = start->step + measured_steps;

@@ -47,8 +47,8 @@ struct Start {
 };
 
 /// The start of a workload; one for all workloads with the same `key`. `where` is that of the
-/// suite, for errors. Throws InputError for a scene without a velocity, or with fewer steps than
-/// are measured.
+/// suite, for errors. Throws InputError for steps of a scene that moves by more than a velocity,
+/// or has fewer than are measured.
 [[nodiscard]] std::shared_ptr<Start> start_of(const Workload& workload, const std::string& key,
                                               const std::string& where);
 

@@ -106,7 +106,7 @@ Prepared prepare(const Start& start, Complex<double>& complex, const Options<dou
     return {std::move(simulation), seen};
 }
 
-void Prepared::add_work(StepRun& run, double sign) const {
+void add_work(StepRun& run, const Executor<double>& executor, double sign) {
     const auto submeshes = submeshes_in(executor);
     run.busy_s +=
         submeshes ? sign * submeshes->work.beyond_one() : std::numeric_limits<double>::quiet_NaN();
@@ -129,7 +129,7 @@ StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::Ru
     for (int i = 0; i < warm_up_steps; ++i, ++step) {
         add(run, advance(simulation, start.setup, step));
     }
-    made.add_work(run, -1);
+    add_work(run, made.executor, -1);
     const scenes::Stopwatch watch;
     for (int i = 0; i < timed_steps; ++i, ++step) {
         const StepReport report = advance(simulation, start.setup, step);
@@ -140,7 +140,7 @@ StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::Ru
     }
     run.wall_s = watch.wall();
     run.cpu_s = watch.cpu();
-    made.add_work(run, 1);
+    add_work(run, made.executor, 1);
     run.busy_s += run.wall_s;
     return run;
 }

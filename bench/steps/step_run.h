@@ -35,12 +35,14 @@ struct Prepared {
     const Executor<double>& executor;
 
     [[nodiscard]] std::uint32_t threads_used() const; ///< by the last step
-    /// Adds `sign` times what threads have done so far to `run`, whose wall time is added apart.
-    void add_work(StepRun& run, double sign) const;
 };
 Prepared prepare(const Start& start, Complex<double>& complex, const Options<double>& choices,
                  scenes::Strategy strategy, const scenes::Submeshing& submeshing,
                  const Algorithm<double>* algorithm = nullptr);
+
+/// Adds `sign` times what the executor's threads have done so far to `run`, whose wall time is
+/// added apart.
+void add_work(StepRun& run, const Executor<double>& executor, double sign);
 
 /// Goes on from `start.step` with a copy of `start.complex`: warm-up, then the timed steps.
 StepRun run_steps(const Start& start, Complex<double>& complex, const scenes::RunOptions& run);

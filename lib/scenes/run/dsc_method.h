@@ -60,7 +60,10 @@ template <class Real>
 class DscMethod {
 public:
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
-        : setup_(setup), complex_(first_complex<Real>(setup, parameters)),
+        : DscMethod(setup, parameters, run, first_complex<Real>(setup, parameters)) {}
+    DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run,
+              Complex<Real> complex)
+        : setup_(setup), complex_(std::move(complex)),
           options_(scene_options<Real>(setup, parameters)) {
         Submeshing submeshing = run.submeshing;
         submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
@@ -140,6 +143,7 @@ public:
         }
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
+    [[nodiscard]] const Executor<Real>& executor() const { return *executor_; }
     /// The largest error of the value at the vertices; NaN if there is none.
     [[nodiscard]] double value_error() const {
         return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
