@@ -38,8 +38,7 @@ template <class Real, class Visit>
     for (int i = 0; i < most_triangles; ++i) {
         // The edge that it leaves through lies opposite to one end of the edge that it came
         // through.
-        const Corner out =
-            cross<Real>(way, to_vertex(entered)) > 0 ? next(entered) : prev(entered);
+        const Corner out = cross<Real>(way, to_vertex(entered)) > 0 ? next(entered) : prev(entered);
         const Point<Real> edge = direction(complex, out);
         const Real to = cross<Real>(to_vertex(next(out)), edge) / cross<Real>(way, edge);
         if (!(to < longest)) { // or no number
