@@ -2,11 +2,13 @@
 // The factorisation against the equations that it was made from.
 #include "fluid/scenes.h"
 #include "fluid/solve/factors.h"
+#include "fluid/system/share_out.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 
 namespace dsc::factors_test {
 namespace {
@@ -85,6 +87,18 @@ TEST(FluidFactors, APivotOfZeroIsTold) {
     const Factors factors =
         factorise(equations.system, equations.dissection, equations.numbers, 0, 1);
     EXPECT_FALSE(factors.has_all_pivots);
+}
+
+TEST(FluidFactors, SharedWorkIsDoneOnceAndRethrows) {
+    std::vector<int> times(1000, 0);
+    share_out(times.size(), 3, [&](std::size_t i) { ++times[i]; });
+    EXPECT_EQ(times, std::vector<int>(1000, 1));
+    const auto refuse = [](std::size_t i) {
+        if (i == 700) {
+            throw std::runtime_error("the 700th");
+        }
+    };
+    EXPECT_THROW(share_out(1000, 3, refuse), std::runtime_error);
 }
 
 } // namespace
