@@ -29,7 +29,8 @@ template <class Real, class Visit>
         complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
     const Real length = std::sqrt(along.x() * along.x() + along.y() * along.y());
     const Point<Real> way(-along.y() / length, along.x() / length);
-    const auto to_vertex = [&](Corner c) { // in scalars, for which nothing waits
+    // Written out: Eigen would read back as a whole what has just been written by halves.
+    const auto to_vertex = [&](Corner c) {
         const VertexRecord<Real>& v = complex.vertices[complex.vertex(c)];
         return Point<Real>(v.x - start.x(), v.y - start.y());
     };
