@@ -202,7 +202,7 @@ BAD_SUITES = {
     '[[case]]\nscene = "swirl"\nmeasure = "step"\nset = { steps = 20 }\n': ("40", "at least 80"),
     '[[case]]\nscene = "zalesak"\nmeasure = "step"\nat = "half"\n': ("zalesak", "a time"),
     '[[case]]\nscene = "swirl"\nmeasure = "option"\n': ("option = {",),
-    '[[case]]\nscene = "grow-shrink"\n': ("suite.toml:2", "growth", "velocity"),
+    '[[case]]\nscene = "grow-shrink"\nmeasure = "step"\n': ("suite.toml:2", "growth", "velocity"),
     '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows of one name", "swirl_run/"),
     '[[case]]\nscene = "swirl"\nrows = [{ threads = 0 }]\n': ("suite.toml:3", "got 0"),
     'also = ["operations"]\n': ("suite.toml:1: also", "operation, kernel"),
@@ -236,6 +236,17 @@ class OwnSuite(unittest.TestCase):
         self.assertEqual([row["name"] for row in rows], expected)
         for row in rows:
             self.assertEqual(masked(row), RUN, row["name"])
+
+    def test_whole_runs_move_in_any_way(self):
+        suite = self.write("suite.toml", """[[case]]
+scene = ["three-phases", "grow-shrink", "static-drop"]
+strategies = "cells"
+threads = [1, 2]
+set = { steps = 3 }
+""")
+        done = run("--suite", suite)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(done.stdout.count("/strategy:cells/"), 6, done.stdout)
 
     def test_a_wrong_answer_is_not_timed(self):
         suite = self.write("suite.toml", SUITE.replace("area_error = 0.2", "area_error = 0"))
