@@ -86,6 +86,15 @@ TEST(CentredDifference, LeavesAPastBehindThatLeadsElsewhere) {
     EXPECT_EQ(with.at().y(), without.at().y());
 }
 
+// A flow that turns back comes to rest in between: a short step is built on, wherever it led.
+TEST(CentredDifference, KeepsAPastThatIsShortBesideTheEdges) {
+    OnePoint point({0.5, 0.25});
+    point.past() = {Point<double>(1.0 / 512, -1.0 / 1024), 0.25};
+    point.go(0, 0.25);
+    EXPECT_EQ(point.at().x(), 0.375 - 1.0 / 512);
+    EXPECT_EQ(point.at().y(), 0.5 + 1.0 / 1024);
+}
+
 // An error of the past, if only its rounding, enters the next step with the square of the ratio of
 // both.
 TEST(CentredDifference, LeavesAPastBehindThatIsMuchShorter) {

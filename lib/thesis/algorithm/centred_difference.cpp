@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/algorithm/centred_difference.h"
 
+#include "dsc/complex/circulate.h"
+#include "dsc/geometry/points.h"
+
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace dsc {
 
@@ -13,6 +18,20 @@ constexpr const char* name_of_past = "thesis.past";
 template <class Real>
 VertexAttribute<Past<Real>>& known_past(Complex<Real>& complex) {
     return complex.attributes.template get<Vertex, Past<Real>>(name_of_past);
+}
+
+/// Whether a step is shorter than `longest_at_rest` of each edge at its vertex. O(star).
+template <class Real>
+bool is_nearly_at_rest(const Complex<Real>& complex, Vertex v, const Point<Real>& way) {
+    const Point<Real> here = complex.position(v);
+    Real shortest = std::numeric_limits<Real>::infinity();
+    for_each_corner(complex, v, [&](Corner c) {
+        for (const Corner other : {next(c), prev(c)}) {
+            const Point<Real> there = complex.position(Vertex{complex.vertex(other)});
+            shortest = std::min(shortest, distance<Real>(here, there));
+        }
+    });
+    return way.norm() < static_cast<Real>(longest_at_rest) * shortest;
 }
 
 template <class Real>
@@ -27,8 +46,10 @@ public:
         const auto& pasts = known_past(step.complex);
         const Real dt = step.dt;
         const auto serves = [&](std::size_t i) {
-            const Past<Real>& past = pasts[Vertex{step.vertices[i]}];
-            return past.serves(dt) && past.leads_to(scratch.first[i]);
+            const Vertex v{step.vertices[i]};
+            const Past<Real>& past = pasts[v];
+            return past.serves(dt) && (!past.is_crossed_by(scratch.first[i]) ||
+                                       is_nearly_at_rest(step.complex, v, past.way));
         };
         bool all = true;
         for (std::size_t i = 0; i < step.vertices.size() && all; ++i) {

@@ -15,10 +15,12 @@ namespace dsc {
 /// digits of it are lost by then.
 inline constexpr double most_growth = 10;
 
-/// Cosine of the largest angle between a step and the velocity after it. Where the velocity turns
-/// by more, it jumps, as at the tip where two growing discs have met: a step that is built on the
-/// last one goes to the other side of the tip there, and the next one back.
-inline constexpr double least_cosine = 0.5;
+/// Where the velocity turns by more than 60 degrees from one step to the next, it jumps, as at the
+/// tip where two growing discs have met: a step that is built on the last one goes to the other
+/// side of the tip there, and the next one back. Unless the last step was shorter than this share
+/// of each edge at the vertex: a flow that turns back comes to rest in between, and there the
+/// centred difference loses its symmetry in time with its past.
+inline constexpr double longest_at_rest = 0.1;
 
 /// The last step of a vertex.
 template <class Real>
@@ -36,9 +38,9 @@ struct Past {
     [[nodiscard]] bool serves(Real next_dt) const {
         return dt > 0 && growth_after(next_dt) <= static_cast<Real>(most_growth);
     }
-    /// Whether this velocity may come after that step.
-    [[nodiscard]] bool leads_to(const Point<Real>& velocity) const {
-        return way.dot(velocity) >= static_cast<Real>(least_cosine) * way.norm() * velocity.norm();
+    /// Whether this velocity is at more than 60 degrees to that step.
+    [[nodiscard]] bool is_crossed_by(const Point<Real>& velocity) const {
+        return way.dot(velocity) < Real(0.5) * way.norm() * velocity.norm();
     }
 };
 
