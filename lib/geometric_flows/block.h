@@ -8,8 +8,9 @@
 
 namespace dsc {
 
-/// A vector of the plane. In place of Eigen's, which are written number by number and read as a
-/// whole: where one follows the other at once the processor waits, a quarter of the time of a foam.
+/// A vector of the plane. It stands in place of Eigen's, which are written number by number and
+/// read as a whole: the processor waits where reading follows writing at once. With Eigen's a foam
+/// takes a quarter more time.
 struct Vector2 {
     double x = 0;
     double y = 0;
