@@ -39,7 +39,7 @@ class Readers(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.paths = []
-        for name, more in (("double", ["--strategy", "cells"]),
+        for name, more in (("double", ["--strategy", "cells", "--submeshes", "2"]),
                            ("float", ["--set", "real=float", "--set", "grade=1.4"])):
             frames = os.path.join(folder.name, name)
             program = os.path.join(os.environ["DSC_BUILD"], "lib", "scenes", "dsc_scene")

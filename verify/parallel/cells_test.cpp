@@ -136,22 +136,5 @@ TEST(Cells, AreAsManyAsPay) {
     EXPECT_GE(last, 4U);
 }
 
-// Of some 3,600 vertices of a curve, 32 cells would pay.
-TEST(Cells, AreFewerWhereTheInterfaceFillsThePlane) {
-    constexpr double h = 0.01;
-    std::vector<Shape> discs;
-    for (int k = 0; k < 256; ++k) {
-        const Point<double> centre((0.5 + k % 16) / 16, (0.5 + k / 16) / 16);
-        discs.push_back({test::circle_points(centre, 0.022, 14), 1});
-    }
-    Divided divided(initial_complex<double>({}, discs, {.edge_length = h}), h);
-    CellPartitioner<double> by_itself({});
-    divided.divide(by_itself);
-    EXPECT_EQ(divided.regions(0).size(), 16U);
-    CellPartitioner<double> as_asked({.submeshes = 32});
-    divided.divide(as_asked);
-    EXPECT_EQ(divided.regions(0).size(), 32U);
-}
-
 } // namespace
 } // namespace dsc::cells_test

@@ -252,6 +252,20 @@ TEST(Sizes, KnowNoGapToTheSameSheet) {
     EXPECT_GT(cut, 0U);
 }
 
+// By default.
+TEST(Corners, AreTurnsOfMoreThanFortyDegrees) {
+    for (const double turn : {39.9, 40.1}) {
+        const double high = 0.2 * std::tan(turn / 2 * std::numbers::pi / 180);
+        auto complex =
+            complex_of({{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.6}, {0.5, 0.6 + high}, {0.3, 0.6}});
+        const Simulation<double> simulation(complex, options_for<double>(h));
+        const auto corners = std::ranges::count_if(simulation.interface(), [&](std::uint32_t v) {
+            return (complex.vertices[v].flags & vertex_corner) != 0;
+        });
+        EXPECT_EQ(corners, turn > 40 ? 5 : 4);
+    }
+}
+
 TEST(Corners, AreMarkedOnceAndKept) {
     const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
     const auto options = options_for<double>(h);

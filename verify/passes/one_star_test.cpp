@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace dsc::one_star_test {
@@ -197,13 +198,22 @@ TEST(KeptStars, AreReadUntilTheyChange) {
     complex.set_position(Vertex{11}, {1.9, 1.2});
     Ring<double> walked;
     ASSERT_TRUE(gather(complex, Region{}, 12, walked));
-    ASSERT_TRUE(gather_kept(complex, Region{}, work.stars[0], work.ring));
+    gather_kept(complex, Region{}, work.stars[0], work.ring);
     ASSERT_EQ(work.ring.size, walked.size);
     for (std::uint32_t i = 0; i < walked.padded(); ++i) {
         EXPECT_EQ(work.ring.x[i], walked.x[i]);
         EXPECT_EQ(work.ring.y[i], walked.y[i]);
         EXPECT_EQ(work.ring.x_next[i], walked.x_next[i]);
         EXPECT_EQ(work.ring.y_next[i], walked.y_next[i]);
+    }
+    // Its link reaches from 1 to 3.
+    for (const auto kind : {Region::Kind::upright, Region::Kind::box}) {
+        for (const auto& [low, high, owned] :
+             {std::tuple(1.0, 3.5, true), {1.01, 3.5, false}, {1.0, 3.0, false}}) {
+            gather_kept(complex, {.kind = kind, .low = low, .high = high}, work.stars[0],
+                        work.ring);
+            EXPECT_EQ(work.ring.owned, owned) << low << " to " << high;
+        }
     }
     work.interface = {12};
     work.aim.positions = {complex.position(Vertex{12})};

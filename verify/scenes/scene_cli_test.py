@@ -40,11 +40,11 @@ class SceneGood(CommandLine):
         self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 
     def test_threads_are_enough(self):
-        """The interface is long enough for two threads to be used."""
+        """The interface is long enough for two threads to be used, once they are tried."""
         hashes = set()
         for arguments, used in ((["--threads", "1"], 1), (["--threads", "2"], 2),
                                 (["--strategy", "cells"], 1)):
-            done = self.call("run", "scaling", "--set", "h=0.01", "--set", "steps=4", *arguments,
+            done = self.call("run", "scaling", "--set", "h=0.01", "--set", "steps=9", *arguments,
                              "--json", self.path("r.json"))
             self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
             with open(self.path("r.json"), encoding="utf-8") as stream:

@@ -55,6 +55,7 @@ void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
     if (find(attribute->name()) != nullptr) {
         refuse(attribute->name(), "an attribute of that name exists");
     }
+    attribute->reserve(entries(attribute->kind(), vertex_room_, triangle_room_));
     attribute->resize(entries(attribute->kind(), vertex_bound_, triangle_bound_));
     list_.push_back(std::move(attribute));
     ++counts_[index(list_.back()->kind())];
@@ -107,6 +108,8 @@ void AttributeSet::resize_triangles(std::size_t bound) {
 }
 
 void AttributeSet::reserve(std::size_t vertex_bound, std::size_t triangle_bound) {
+    vertex_room_ = vertex_bound;
+    triangle_room_ = triangle_bound;
     for (const auto& attribute : list_) {
         attribute->reserve(entries(attribute->kind(), vertex_bound, triangle_bound));
     }

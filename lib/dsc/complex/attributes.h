@@ -87,7 +87,8 @@ public:
     void resize_vertices(std::size_t bound);
     /// There are ids up to `bound` now.
     void resize_triangles(std::size_t bound);
-    /// Reserves room for that many entries, so that growth up to that number copies nothing.
+    /// Reserves room for that many entries, so that growth up to that number copies nothing; also
+    /// in attributes that are added later.
     void reserve(std::size_t vertex_bound, std::size_t triangle_bound);
     /// Vertex `to` is new, at a + fraction (b - a). See AttributeBase, as for the following ones.
     void blend_vertex(std::uint32_t to, std::uint32_t a, std::uint32_t b, double fraction) {
@@ -175,6 +176,8 @@ private:
     std::array<std::uint32_t, 3> counts_{}; ///< by kind
     std::size_t vertex_bound_ = 0;
     std::size_t triangle_bound_ = 0;
+    std::size_t vertex_room_ = 0; ///< reserved
+    std::size_t triangle_room_ = 0;
 };
 
 template <SimplexHandle Simplex, class T>

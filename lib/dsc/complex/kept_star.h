@@ -8,6 +8,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -38,11 +39,13 @@ namespace detail {
 /// Whether the region owns the vertices of a link and its centre, where they are now.
 template <class Real>
 bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept) {
-    bool is_owned = owns(complex, region, kept.vertex);
-    for (std::uint32_t i = 0; i < kept.size; ++i) {
-        is_owned = is_owned && owns(complex, region, kept.link[i]);
-    }
-    return is_owned;
+    const auto owns_one = [&](std::uint32_t v) { // inlined, unlike `owns`
+        const auto& record = complex.vertices[v];
+        return region.owns(v, static_cast<double>(read_shared(record.x)),
+                           static_cast<double>(read_shared(record.y)));
+    };
+    return owns_one(kept.vertex) &&
+           std::all_of(kept.link.begin(), kept.link.begin() + kept.size, owns_one);
 }
 
 } // namespace detail
@@ -63,22 +66,22 @@ KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring, const S
     return kept;
 }
 
-/// Gathers what movement reads of a kept star, with its vertices where they are now: centre, link
-/// and coordinates, but no corners, phases and predecessors. Returns false, and has gathered
-/// nothing, if the region does not own all of the star. O(1).
+/// Gathers what movement reads of a kept star whose centre the region owns, with its vertices where
+/// they are now: centre, link and coordinates, but no corners, phases and predecessors. If the
+/// region does not own all of the star, `owned` is false and nothing else was written. O(1).
 template <class Real>
-bool gather_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept,
+void gather_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept,
                  Ring<Real>& ring) {
     constexpr std::uint32_t lanes = KeptStar::capacity;
-    if (!region.is_whole() && !detail::owns_kept(complex, region, kept)) {
-        return false;
+    ring.owned = region.is_whole() || detail::owns_kept(complex, region, kept);
+    if (!ring.owned) {
+        return;
     }
     const auto* const vertices = complex.vertices.data();
     const std::uint32_t n = kept.size;
     ring.vertex = kept.vertex;
     ring.size = n;
     ring.closed = true;
-    ring.owned = true;
     ring.x0 = read_shared(vertices[kept.vertex].x);
     ring.y0 = read_shared(vertices[kept.vertex].y);
     for (std::uint32_t i = 0; i < lanes; ++i) {
@@ -92,7 +95,6 @@ bool gather_kept(const Complex<Real>& complex, const Region& region, const KeptS
         ring.x_next[i] = read_shared(vertices[kept.link[next]].x);
         ring.y_next[i] = read_shared(vertices[kept.link[next]].y);
     }
-    return true;
 }
 
 } // namespace dsc

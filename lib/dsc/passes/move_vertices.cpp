@@ -58,9 +58,11 @@ bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Re
 template <class Real>
 bool gather_mover(Work<Real>& work, const Mover<Real>& mover) {
     const Region& region = work.submesh.region;
-    return (mover.star < work.stars.size() &&
-            gather_kept(work.complex, region, work.stars[mover.star], work.ring)) ||
-           gather(work.complex, region, mover.vertex, work.ring);
+    if (mover.star < work.stars.size()) {
+        gather_kept(work.complex, region, work.stars[mover.star], work.ring);
+        return true;
+    }
+    return gather(work.complex, region, mover.vertex, work.ring);
 }
 
 } // namespace

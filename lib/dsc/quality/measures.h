@@ -199,27 +199,4 @@ StarReport<Real> examine(const Ring<Real>& ring) {
     return examine(ring, margins);
 }
 
-/// The Delaunay test of the spokes alone: writes their margins, and returns the lowest one, at most
-/// 0. O(degree).
-template <class Real>
-Real examine_spokes(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
-    Real lowest = 0;
-    const std::uint32_t n = ring.padded();
-    const Real px = ring.x0;
-    const Real py = ring.y0;
-#pragma omp simd reduction(min : lowest)
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = ring.x[i] - px;
-        const Real ay = ring.y[i] - py;
-        const Real bx = ring.x_next[i] - px;
-        const Real by = ring.y_next[i] - py;
-        const Real ex = ring.x_previous[i] - px;
-        const Real ey = ring.y_previous[i] - py;
-        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
-        margins[i] = found;
-        lowest = std::min(lowest, found);
-    }
-    return lowest;
-}
-
 } // namespace dsc

@@ -139,13 +139,14 @@ bool is_near_side(const Region& box, const Site& site, double band) {
            box.side_high - site.y < band;
 }
 
-// Small cells spread the load, large ones have less boundary for their work, and at each boundary
+// Small cells spread the load, large ones have less boundary, where stars are gathered twice and
 // two cores hand each other lines of memory. The two balance where the number of cells grows as the
-// vertices to the power of 0.4: four cells below 360 vertices, eight below 2,000, 16 below 11,600.
-// Where a circle has twice as many, it takes up to 8 % longer on one thread and on two. It is a
-// power of two, so that two, four or eight threads have equal shares.
+// vertices to the power of 0.4: two cells below 360 vertices, four below 2,000, eight below 11,600.
+// Twice as many take 4 to 10 % longer on one thread, and on two where a word takes half a
+// microsecond from core to core. It is a power of two, so that two, four or eight threads have
+// equal shares.
 std::uint32_t cells_that_pay(std::size_t vertices) {
-    const double doublings = 0.4 * std::log2(static_cast<double>(vertices) + 1) - 0.9;
+    const double doublings = 0.4 * std::log2(static_cast<double>(vertices) + 1) - 1.9;
     return static_cast<std::uint32_t>(std::exp2(std::max(0.0, std::round(doublings))));
 }
 
@@ -191,36 +192,25 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
     const std::size_t size = input.interface.size();
     partition.colours.resize(1);
     std::vector<Region>& regions = partition.colours.front().regions;
-    const auto cut = [&](std::uint32_t cells) {
+    if (recut == Recut::all) {
+        const std::uint32_t cells =
+            options_.submeshes > 0 ? options_.submeshes : cells_that_pay(size);
         sites_.clear();
         for (std::size_t i = 0; cells > 1 && i < size; ++i) {
             sites_.push_back(site_of(i));
         }
         regions = divide_sites(sites_, cells, rules);
-    };
-    const auto collect_near_cuts = [&] {
-        sites_.clear();
-        std::size_t at = 0;
-        for (std::size_t i = 0; regions.size() > 1 && i < size; ++i) {
-            const Site site = site_of(i);
-            at = partition.colours.front().locate(input.interface[i], site.x, site.y, at);
-            if (is_near_side(regions[std::min(at, regions.size() - 1)], site, rules.band)) {
-                sites_.push_back({site.x, site.y, 1.0F});
-            }
+    }
+    sites_.clear();
+    std::size_t at = 0;
+    for (std::size_t i = 0; regions.size() > 1 && i < size; ++i) {
+        const Site site = site_of(i);
+        at = partition.colours.front().locate(input.interface[i], site.x, site.y, at);
+        if (is_near_side(regions[std::min(at, regions.size() - 1)], site, rules.band)) {
+            sites_.push_back({site.x, site.y, 1.0F});
         }
-    };
-    if (recut == Recut::all) {
-        cut(options_.submeshes > 0 ? options_.submeshes : cells_that_pay(size));
     }
-    collect_near_cuts();
-    // A network that fills the plane has more of its work near cuts than a curve of its length.
-    // Eight cells are kept: enough for four threads.
-    auto cells = static_cast<std::uint32_t>(regions.size());
-    if (recut == Recut::all && options_.submeshes == 0 && cells > 8 && 2 * sites_.size() > size) {
-        cut(cells / 2);
-        collect_near_cuts();
-        cells = static_cast<std::uint32_t>(regions.size());
-    }
+    const auto cells = static_cast<std::uint32_t>(regions.size());
     // Later colours: what lies near the cuts of the first, then of the first two. Their cuts follow
     // the gaps between their few sites rather than the balance.
     rules.tolerance = 0.5;

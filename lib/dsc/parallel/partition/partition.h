@@ -94,9 +94,8 @@ inline void archive(Archive& archive, PartitionStatus& status) {
 
 /// How cells are cut.
 struct CellOptions {
-    /// Cells of the first colour; 0: as many as pay off, by the length of the interface, and half
-    /// as many, of more than eight, where more than half of it would lie near a cut. Fewer if they
-    /// would be too small.
+    /// Cells of the first colour; 0: as many as pay off, by the length of the interface. Fewer if
+    /// they would be too small.
     std::uint32_t submeshes = 0;
     std::uint32_t least_vertices = 20; ///< smaller cells are not worth their boundaries
     double least_width = 6;            ///< in edge lengths

@@ -22,8 +22,11 @@ constexpr double worthwhile = 0.97;
 
 } // namespace
 
-// Fewer threads and more of them by turns, where there are both.
-ThreadChoice::Level ThreadChoice::neighbour() {
+// At first all threads; later fewer and more of them by turns, where there are both.
+ThreadChoice::Level ThreadChoice::next_try() {
+    if (settled_ == 0) {
+        return 0;
+    }
     const bool can_be_more = home_ > 0;
     const bool can_be_fewer = home_ + 1 < levels && (most_ >> home_) > 1;
     was_fewer_ = can_be_fewer && (!can_be_more || !was_fewer_);
@@ -61,8 +64,9 @@ void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
     // If steps have become much slower, something else may be running since.
     until_try_ = settled_ > 0 && mean.value > much_slower * settled_ ? 0 : until_try_ - 1;
     if (until_try_ == 0) {
-        now_ = neighbour();
+        now_ = next_try();
         means_[now_] = {};
+        warm_up_ = 1; // threads have to wake up
         tries_left_ = steps_of_a_try;
     }
 }
@@ -73,7 +77,7 @@ void ThreadChoice::end_try() {
         home_ = now_;
         pause_ = least_pause;
     } else {
-        pause_ = std::min(2 * pause_, most_pause);
+        pause_ = std::min(4 * pause_, most_pause);
     }
     now_ = home_;
     until_try_ = pause_;

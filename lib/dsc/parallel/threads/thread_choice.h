@@ -6,24 +6,26 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 namespace dsc {
 
-/// Begins with all threads that are allowed, tries half or twice as many now and then, for a few
-/// steps, and stays with what takes less time for the same work. Tries that change nothing become
-/// rarer, down to four in two thousand steps. O(1) for each step.
+/// Begins with one thread, then tries all that are allowed, and later half or twice as many now and
+/// then, for a few steps; it stays with what takes less time for the same work. Tries that change
+/// nothing become rarer, down to four in two thousand steps. O(1) for each step.
 class ThreadChoice {
 public:
     /// At most so many threads.
-    explicit ThreadChoice(std::uint32_t most) : most_(most) {}
+    explicit ThreadChoice(std::uint32_t most)
+        : most_(most), home_(static_cast<Level>(std::bit_width(most) - 1)), now_(home_) {}
 
     /// The threads for the next step.
     [[nodiscard]] std::uint32_t threads() const { return std::max(most_ >> now_, 1U); }
     /// What that step took, in seconds, for its work: in any unit, if always the same. `useful`: so
     /// many threads had anything to do in it, whatever was chosen; with one there was no choice,
-    /// and the next step that has one begins with all threads again.
+    /// and the next step that has one begins anew.
     void took(double seconds, double work, std::uint32_t useful);
 
 private:
@@ -35,16 +37,16 @@ private:
         std::uint32_t steps = 0; ///< that it is the mean of, the later ones with more weight
     };
 
-    [[nodiscard]] Level neighbour();
+    [[nodiscard]] Level next_try();
     void end_try();
 
     std::array<Mean, levels> means_{};
     std::uint32_t most_;
-    Level home_ = 0;               ///< what steps use
-    Level now_ = 0;                ///< what the next one does: another while it is tried
-    std::uint32_t warm_up_ = 4;    ///< steps that do not count
+    Level home_;                   ///< what steps use
+    Level now_;                    ///< what the next one does: another while it is tried
+    std::uint32_t warm_up_ = 2;    ///< steps that do not count
     std::uint32_t tries_left_ = 0; ///< steps of the present try
-    std::uint32_t until_try_ = 8;  ///< steps
+    std::uint32_t until_try_ = 2;  ///< steps
     std::uint32_t pause_ = 16;     ///< steps from the last try to the next one
     double settled_ = 0;           ///< the mean at the last try
     bool was_fewer_ = false;       ///< the last try was of fewer threads

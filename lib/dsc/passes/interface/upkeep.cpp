@@ -86,6 +86,8 @@ private:
             if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
                 long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
                 work_.deferred.upkeep(v);
+            } else if (spokes.count > 0) {
+                keep(ring, spokes);
             }
             work_.interface_next.push_back(v);
         } else if (spokes.count == 0) {
@@ -94,11 +96,15 @@ private:
             }
         } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
                    !(wants_wall_upkeep(ring) && keep_wall(v, ring)) && !refine(v, ring, spokes)) {
-            if (ring.closed && ring.size <= KeptStar::capacity &&
-                complex_.vertices[v].stamp != work_.epoch) {
-                work_.stars.push_back(keep_star(complex_, ring, spokes));
-            }
+            keep(ring, spokes);
             show(ring, spokes);
+        }
+    }
+
+    void keep(const Ring<Real>& ring, const Spokes& spokes) {
+        if (ring.closed && ring.size <= KeptStar::capacity &&
+            complex_.vertices[ring.vertex].stamp != work_.epoch) {
+            work_.stars.push_back(keep_star(complex_, ring, spokes));
         }
     }
 

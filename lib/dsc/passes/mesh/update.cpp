@@ -123,7 +123,7 @@ private:
     // looked up again, and only edges that fail are put on the list.
     void continue_edges() {
         work_.suspects.clear();
-        examine_spokes(ring_, margins_);
+        (void)examine(ring_, margins_);
         const Point<Real> centre(ring_.x0, ring_.y0);
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Corner across = complex_.twin(ring_.corner[i]);
@@ -224,7 +224,7 @@ private:
         // Restore the Delaunay condition around the vertex that took over the star.
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
-            examine_spokes(star, margins_) < 0) {
+            examine(star, margins_).delaunay < 0) {
             work_.suspects.clear();
             for (std::uint32_t j = 0; j < star.size; ++j) {
                 work_.suspects.push_back(prev(star.corner[j]));
