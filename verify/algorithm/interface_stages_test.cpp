@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <thread>
 
 namespace dsc::interface_stages_test {
@@ -225,6 +226,25 @@ TEST(InterfaceStages, AVelocityThatIsLostOnTheWayHoldsItsVertexOnly) {
         EXPECT_EQ(report.sub_steps, 1U);
         expect_sound(wobbly.complex, *wobbly.simulation);
     }
+}
+
+// A velocity of places is not asked for one that no number describes.
+TEST(InterfaceStages, AVertexThatIsHeldStaysWhereItIsInInnerStages) {
+    Wobbly wobbly(Integrator::rk4);
+    int calls = 0;
+    const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double,
+                                          std::span<Point<double>> velocities) {
+        ++calls;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            EXPECT_TRUE(positions[i].allFinite()) << "call " << calls;
+            velocities[i] = Point<double>(0.01, 0);
+        }
+        if (calls == 1) {
+            velocities[20].x() = std::numeric_limits<double>::quiet_NaN();
+        }
+    };
+    EXPECT_EQ(wobbly.simulation->step(velocity, 0, 0.1).held, 1U);
+    EXPECT_EQ(calls, 4);
 }
 
 TEST(InterfaceStages, WithoutAnInterfaceNothingIsAsked) {
