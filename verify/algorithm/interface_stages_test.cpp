@@ -4,6 +4,8 @@
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
+#include "dsc/parallel/parallel.h"
+
 #include "replay/mesh_hash.h"
 #include "scenes/integrator_choice.h"
 

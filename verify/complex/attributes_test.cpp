@@ -39,6 +39,13 @@ TEST(Attributes, AreFoundByNameKindAndType) {
     EXPECT_FALSE(all.empty());
 }
 
+TEST(Attributes, HaveTheRoomThatWasReservedBefore) {
+    auto complex = hexagon<double>();
+    complex.reserve(1000, 2000);
+    EXPECT_GE((complex.attributes.add<Vertex, double>("heat").data().capacity()), 1000U);
+    EXPECT_GE((complex.attributes.add<Triangle, double>("load").data().capacity()), 2000U);
+}
+
 TEST(Attributes, AreFieldsInACopyAsWell) {
     auto complex = hexagon<double>();
     complex.attributes.add<Vertex, double>("kept");

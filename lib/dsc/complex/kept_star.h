@@ -39,13 +39,9 @@ namespace detail {
 /// Whether the region owns the vertices of a link and its centre, where they are now.
 template <class Real>
 bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept) {
-    const auto owns_one = [&](std::uint32_t v) { // inlined, unlike `owns`
-        const auto& record = complex.vertices[v];
-        return region.owns(v, static_cast<double>(read_shared(record.x)),
-                           static_cast<double>(read_shared(record.y)));
-    };
-    return owns_one(kept.vertex) &&
-           std::all_of(kept.link.begin(), kept.link.begin() + kept.size, owns_one);
+    const auto is_owned = [&](std::uint32_t v) { return owns(complex, region, v); };
+    return is_owned(kept.vertex) &&
+           std::all_of(kept.link.begin(), kept.link.begin() + kept.size, is_owned);
 }
 
 } // namespace detail

@@ -144,9 +144,11 @@ concept Editable = requires(T& where) {
 template <Editable Where>
 using ScalarOf = typename decltype(Submesh(std::declval<Where&>()))::Scalar;
 
-/// Whether the region owns a vertex, where it is now. Safe while another submesh moves it.
+/// Whether the region owns a vertex, where it is now. Safe while another submesh moves it. Inlined:
+/// each movement asks for all vertices of a star.
 template <class Real>
-bool owns(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
+[[gnu::always_inline]] inline bool owns(const Complex<Real>& complex, const Region& region,
+                                        std::uint32_t vertex) {
     if (region.is_whole()) {
         return true;
     }

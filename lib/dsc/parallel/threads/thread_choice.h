@@ -13,8 +13,8 @@
 namespace dsc {
 
 /// Begins with one thread, then tries all that are allowed, and later half or twice as many now and
-/// then, for a few steps; it stays with what takes less time for the same work. Tries that change
-/// nothing become rarer, down to four in two thousand steps. O(1) for each step.
+/// then, for a few steps. The number that takes less time for the same work stays. Tries that
+/// change nothing become rarer, down to four in two thousand steps. O(1) for each step.
 class ThreadChoice {
 public:
     /// At most so many threads.
