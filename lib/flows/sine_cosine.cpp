@@ -2,19 +2,11 @@
 // The loop has no branch and calls no function, so that it uses all lanes of a register.
 #include "flows/sine_cosine.h"
 
+#include "dsc/base/instruction_sets.h"
+
 #include <bit>
 #include <cstdint>
 #include <numbers>
-
-// One binary serves every x86-64: the loader picks the widest version that the machine can run. No
-// version contracts a product and a sum (-ffp-contract=off), hence all give the same bits.
-// Sanitizers do not work with the resolver that makes the choice.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__linux__) &&       \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define DSC_EACH_INSTRUCTION_SET __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define DSC_EACH_INSTRUCTION_SET
-#endif
 
 namespace dsc::scenes {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/solve/dense.h"
 
+#include "dsc/base/instruction_sets.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,6 +148,7 @@ bool eliminate_four(double* first, std::size_t height, std::size_t rows, double*
 
 } // namespace
 
+DSC_EACH_INSTRUCTION_SET
 bool eliminate(std::size_t count, std::size_t height, double* lower, double* pivots, double* left) {
     bool is_good = true;
     const std::size_t others = height - count;
@@ -168,6 +171,7 @@ bool eliminate(std::size_t count, std::size_t height, double* lower, double* piv
     return is_good;
 }
 
+DSC_EACH_INSTRUCTION_SET
 void substitute_forward(std::size_t count, std::size_t height, const double* lower,
                         double* values) {
     for (std::size_t begin = 0; begin < count; begin += 4) {
@@ -183,6 +187,7 @@ void substitute_forward(std::size_t count, std::size_t height, const double* low
     }
 }
 
+DSC_EACH_INSTRUCTION_SET
 void substitute_backward(std::size_t count, std::size_t height, const double* lower,
                          const double* pivots, double* values) {
     for (std::size_t k = count; k-- > 0;) {
