@@ -2,7 +2,7 @@
 // The loop has no branch and calls no function, so that it uses all lanes of a register.
 #include "flows/sine_cosine.h"
 
-#include "dsc/base/instruction_sets.h"
+#include "fluid/solve/instruction_sets.h"
 
 #include <bit>
 #include <cstdint>

@@ -124,7 +124,7 @@ void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
 void archive(Archive& archive, PhaseArea& area) { archive(area.phase, area.area); }
 
 Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
-    : complex_(complex), options_(std::move(options)) {
+    : complex_(complex), options_(std::move(options)), system_(std::make_unique<FluidSystem>()) {
     check_fluid(options_);
     fill_voids(options_.phases);
     FrozenMesh mesh = freeze(complex_);
@@ -206,15 +206,14 @@ void Fluid::archive(Archive& archive) {
                    "holds the flow of another mesh");
 }
 
-std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time,
-                                               FluidStep& report) const {
+std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time, FluidStep& report) {
     Timer timer;
     const Dissection dissection = dissect(mesh);
     const FluidNumbering numbers = number_unknowns(mesh, dissection, options_);
-    const FluidSystem system = assemble(mesh, numbers, options_, past(), time);
+    assemble(mesh, numbers, options_, past(), time, *system_);
     report.assembly_s += timer.lap();
     const Eigen::VectorXd unknowns =
-        solve(system, dissection, numbers, options_.threads, report.solved);
+        solve(*system_, dissection, numbers, options_.threads, report.solved);
     auto field = std::make_unique<FluidField>(field_of(std::move(mesh), numbers, unknowns, time));
     report.solve_s += timer.lap();
     return field;

@@ -11,6 +11,8 @@
 
 namespace dsc {
 
+struct FluidSystem;
+
 /// What a step of a fluid did, or several of them.
 struct FluidStep {
     int steps = 1;         ///< how many were made; one that gave up is none
@@ -83,14 +85,15 @@ public:
 private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
     [[nodiscard]] std::unique_ptr<FluidField> solution_in(FrozenMesh mesh, double time,
-                                                          FluidStep& report) const;
+                                                          FluidStep& report);
 
     const Complex<double>& complex_;
     FluidOptions options_;
-    std::vector<PhaseArea> areas_;    ///< to be held
-    double next_dt_ = 0;              ///< the step that aims at the tolerance; 0: not known yet
-    std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
-    std::unique_ptr<FluidField> two_; ///< the one before; null at the start
+    std::vector<PhaseArea> areas_;        ///< to be held
+    double next_dt_ = 0;                  ///< the step that aims at the tolerance; 0: not known yet
+    std::unique_ptr<FluidField> one_;     ///< the last solution; null only during construction
+    std::unique_ptr<FluidField> two_;     ///< the one before; null at the start
+    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one uses its memory
 };
 
 } // namespace dsc

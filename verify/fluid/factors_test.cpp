@@ -20,10 +20,10 @@ struct Equations {
     explicit Equations(double edge_length)
         : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
           dissection(dissect(mesh)),
-          numbers(number_unknowns(mesh, dissection, tank.fluid.options())),
-          system(
-              assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1)),
-          factors(factorise(system, dissection, numbers, mass, 1)) {}
+          numbers(number_unknowns(mesh, dissection, tank.fluid.options())) {
+        assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1, system);
+        factors = factorise(system, dissection, numbers, mass, 1);
+    }
 
     // The matrix that was factorised, times a vector.
     [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& vector) const {

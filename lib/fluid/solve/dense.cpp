@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/solve/dense.h"
 
-#include "dsc/base/instruction_sets.h"
+#include "fluid/solve/instruction_sets.h"
 
 #include <algorithm>
 #include <array>

@@ -178,15 +178,15 @@ void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOption
 
 } // namespace
 
-FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
-                     const FluidOptions& options, const FluidPast& past, double time) {
+void assemble(const FrozenMesh& mesh, const FluidNumbering& numbers, const FluidOptions& options,
+              const FluidPast& past, double time, FluidSystem& system) {
     const bool has_inertia = options.equations == FluidEquations::navier_stokes;
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
     const Eigen::Matrix<double, 6, 6> products = mean_products();
     // A wave of the size of the domain has this squared length, over (2 pi)^2 or so.
     const double extent = (mesh.domain.high - mesh.domain.low).squaredNorm() / 10;
-    FluidSystem system{.size = numbers.size,
-                       .elements = std::vector<FluidElement>(mesh.triangles.size())};
+    system.size = numbers.size;
+    system.elements.resize(mesh.triangles.size());
     share_out(mesh.triangles.size(), options.threads, [&](std::size_t t) {
         const FrozenTriangle& triangle = mesh.triangles[t];
         const FluidPhase& fluid = fluid_of(options, triangle.phase);
@@ -215,7 +215,6 @@ FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
         element.pressure_scale = size / 3 / (fluid.viscosity + fluid.density * rate * extent);
     });
     add_contacts(system, mesh, options);
-    return system;
 }
 
 } // namespace dsc

@@ -27,8 +27,9 @@ struct FluidSystem {
 /// The equations at `time` in the mesh of that time. `past` may be empty for
 /// `FluidEquations::stokes`. The tension of an edge pulls at its ends, along the edge; beside that
 /// it resists what the velocity changes since the last step. Throws InputError if a phase or a pair
-/// that meets has no properties. The same bits for any number of threads. O(n).
-[[nodiscard]] FluidSystem assemble(const FrozenMesh& mesh, const FluidNumbering& numbers,
-                                   const FluidOptions& options, const FluidPast& past, double time);
+/// that meets has no properties. Reuses the memory of the system before. The same bits for any
+/// number of threads. O(n).
+void assemble(const FrozenMesh& mesh, const FluidNumbering& numbers, const FluidOptions& options,
+              const FluidPast& past, double time, FluidSystem& system);
 
 } // namespace dsc
