@@ -5,6 +5,7 @@
 #include "fluid/system/share_out.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 namespace dsc {
@@ -22,27 +23,37 @@ public:
     }
 
     void run(std::uint32_t threads) {
-        // Parts of this depth with all that they consist of; then those above them.
+        // Parts of this depth with all that they consist of; those above them by whoever ends the
+        // second half.
         std::uint32_t depth = 0;
         while (threads > 1 && 1U << depth < 4 * threads) {
             ++depth;
         }
-        std::vector<std::vector<std::size_t>> parts(depth + 1); // by depth
-        for (std::size_t p = 0; p < dissection_.parts.size(); ++p) {
-            if (dissection_.parts[p].depth <= depth) {
-                parts[dissection_.parts[p].depth].push_back(p);
+        const std::vector<MeshPart>& parts = dissection_.parts;
+        std::vector<std::size_t> shares;
+        std::vector<std::size_t> whole_of(parts.size(), parts.size());
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            const bool has_halves = parts[p].halves[0] != no_id;
+            if (has_halves && parts[p].depth < depth) {
+                whole_of[parts[p].halves[0]] = p;
+                whole_of[parts[p].halves[1]] = p;
+            } else if (parts[p].depth <= depth) {
+                shares.push_back(p);
             }
         }
-        for (std::uint32_t d = depth + 1; d-- > 0;) {
-            share_out(
-                parts[d].size(), threads,
-                [&](std::size_t i) {
-                    const std::size_t p = parts[d][i];
-                    Places places;
-                    d == depth ? run_all(p, places) : run_one(p, places);
-                },
-                1);
-        }
+        const auto has_first_half = std::make_unique<std::atomic<bool>[]>(parts.size());
+        share_out(
+            shares.size(), threads,
+            [&](std::size_t i) {
+                Places places;
+                std::size_t p = shares[i];
+                run_all(p, places);
+                for (p = whole_of[p]; p < parts.size() && has_first_half[p].exchange(true);
+                     p = whole_of[p]) {
+                    run_one(p, places);
+                }
+            },
+            1);
         factors_.has_all_pivots =
             std::ranges::all_of(is_good_, [](std::uint8_t good) { return good != 0; });
     }
