@@ -17,12 +17,12 @@ constexpr double mass = 1e-4; // of pressures: large enough for one solution to 
 
 // The equations of a drop at rest, and all that their solution needs.
 struct Equations {
-    explicit Equations(double edge_length)
+    explicit Equations(double edge_length, std::uint32_t threads = 1)
         : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
           dissection(dissect(mesh)),
           numbers(number_unknowns(mesh, dissection, tank.fluid.options())) {
         assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1, system);
-        factors = factorise(system, dissection, numbers, mass, 1);
+        factors = factorise(system, dissection, numbers, mass, threads);
     }
 
     // The matrix that was factorised, times a vector.
@@ -67,15 +67,16 @@ double norm(const Eigen::VectorXd& vector) {
 }
 
 TEST(FluidFactors, SolveWhatTheyWereMadeFrom) {
-    for (const double h : {0.3, 0.1, 0.05}) {
-        const Equations equations(h);
+    for (const auto& [h, threads] : {std::pair(0.3, 1U), {0.1, 1U}, {0.05, 1U}, {0.05, 3U}}) {
+        const Equations equations(h, threads);
         ASSERT_TRUE(equations.factors.has_all_pivots);
         const Eigen::VectorXd exact = some_vector(equations.system.size);
         Eigen::VectorXd solution = equations.times(exact);
         const double size = norm(solution);
         solve_in_place(equations.factors, solution);
         solution -= exact;
-        EXPECT_LT(norm(equations.times(solution)), 1e-9 * size) << "edge length " << h;
+        EXPECT_LT(norm(equations.times(solution)), 1e-9 * size)
+            << "edge length " << h << ", threads " << threads;
     }
 }
 
