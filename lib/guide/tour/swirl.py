@@ -10,8 +10,8 @@ sim = dsc.Simulation(mesh, edge_length=h, threads=2)
 
 
 def swirl(x, t):
-    X, Y = np.pi * x.T
-    return np.c_[np.sin(X)**2 * np.sin(2 * Y), -np.sin(Y)**2 * np.sin(2 * X)]
+    bump, slope = (x * (1 - x)).T, (1 - 2 * x).T
+    return 160 * np.c_[bump[0]**2 * bump[1] * slope[1], -bump[1]**2 * bump[0] * slope[0]]
 
 
 figure, axes = plt.subplots(1, 3, figsize=(9, 3.2), layout="constrained")
