@@ -330,7 +330,7 @@ case $only in
     hard) targets=(dsc_hard) ;;
     gallery) targets=(dsc_scene) ;;
     *)
-        targets=(dsc_bench dsc_precision dsc_verify dsc_scene)
+        targets=(dsc_bench dsc_precision dsc_verify dsc_scene dsc_module)
         $quick || targets+=(dsc_hard)
         ;;
 esac

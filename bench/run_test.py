@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""bench/run.sh refuses what it does not know, before it does anything."""
+"""bench/run.sh refuses what it does not know, before it does anything; and what it builds."""
 import os
 import pathlib
 import shutil
@@ -21,9 +21,10 @@ class Usage(unittest.TestCase):
             shutil.copy(ROOT / file, self.folder / file)
         (self.folder / "mine.toml").touch()
 
-    def call(self, *words):
+    def call(self, *words, path=os.environ["PATH"]):
         return subprocess.run([self.folder / "bench/run.sh", *words], cwd=self.folder, check=False,
-                              capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"})
+                              capture_output=True, text=True,
+                              env={**os.environ, "LC_ALL": "C", "PATH": path})
 
     def test_bad_usage(self):
         for words, expected in ((["--frobnicate"], "'--frobnicate'"), (["swirl"], "'swirl'"),
@@ -41,6 +42,20 @@ class Usage(unittest.TestCase):
             self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
                          ["bench", "mine.toml", "verify"])
+
+    def test_builds_the_python_module_too(self):
+        # Programs that do nothing, and a cmake that fails to build.
+        for name, text in (("dpkg-query", "echo installed"), ("python3", ""),
+                           ("cmake", 'echo "$*" >> cmake.log; [[ $1 != --build ]]')):
+            program = self.folder / "bin" / name
+            program.parent.mkdir(exist_ok=True)
+            program.write_text(f"#!/usr/bin/env bash\n{text}\n", encoding="utf-8")
+            program.chmod(0o755)
+        for words, expected in ((["--quick"], True), ([], True), (["--only", "hard"], False)):
+            done = self.call(*words, path=f"{self.folder / 'bin'}{os.pathsep}{os.environ['PATH']}")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            built = (self.folder / "cmake.log").read_text(encoding="utf-8").splitlines()[-1]
+            self.assertEqual("dsc_module" in built.split(), expected, built)
 
     def test_help(self):
         done = self.call("--help")

@@ -7,6 +7,7 @@
 
 PYBIND11_MODULE(_dsc, module) {
     namespace py = pybind11;
+    module.attr("__version__") = DSC_VERSION;
     py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError).doc() =
         "Bad input: what is wrong, where, what was given and what is allowed.";
     py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError).doc() =

@@ -56,6 +56,24 @@ if(EXISTS ${prefix}/bin/dsc_verify)
     endif()
 endif()
 
+# The Python package is installed with its compiled part or not at all.
+if(python)
+    file(GLOB package ${prefix}/lib/python*/dist-packages)
+    if(NOT package)
+        message(FATAL_ERROR "stage import: no package below ${prefix}/lib/python*")
+    endif()
+    stage(import ${CMAKE_COMMAND} -E env --unset=PYTHONPATH ${CMAKE_COMMAND} -E chdir ${package}
+        ${python} -B -c "import dsc; dsc.circle((0, 0), 1, 0.1); print(dsc.__version__)")
+endif()
+stage(configure-only ${CMAKE_COMMAND} -S ${project} -B ${work}/not_built -G ${generator}
+    -D CMAKE_CXX_COMPILER=${compiler} -D DSC_NATIVE=OFF)
+stage(install-nothing ${CMAKE_COMMAND} --install ${work}/not_built --component python
+    --prefix ${work}/nothing)
+file(GLOB_RECURSE installed ${work}/nothing/*)
+if(installed)
+    message(FATAL_ERROR "stage install-nothing: installed, though nothing is built: ${installed}")
+endif()
+
 set(options -G ${generator}
     -D CMAKE_PREFIX_PATH=${prefix}
     -D CMAKE_CXX_COMPILER=${compiler}

@@ -10,7 +10,19 @@
 >>> round(mesh.areas[1], 12)
 0.16
 """
-from ._dsc import FileError, InputError, SolveError
+try:
+    from ._dsc import FileError, InputError, SolveError, __version__
+except ModuleNotFoundError as error:
+    if error.name != f"{__name__}._dsc":
+        raise
+    import os
+    import sys
+    folder = os.path.dirname(__file__)
+    built = [name for name in os.listdir(folder) if name.startswith("_dsc.")]
+    raise ImportError(
+        f"{folder}: no compiled part for {sys.executable}: got {built[0] if built else 'none'}; build it by "
+        f"`cmake --preset release -D DSC_MODULE_PYTHON={sys.executable}` and `cmake --build --preset release "
+        "--target dsc_python`, and name build/release/lib/python in PYTHONPATH") from None
 from .data import Data
 from .drawing import animate, plot
 from .flows import Flow, curvature_flow, growth, interface_flow, swirl

@@ -11,6 +11,8 @@ from . import bench as bench
 from . import scenes as scenes
 from .data import Data as Data
 
+__version__: str
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Flags = NDArray[np.bool_]
