@@ -104,6 +104,34 @@ void add(FluidStep& all, const FluidStep& one) {
            .solve_s = all.solve_s + one.solve_s};
 }
 
+// Walls are found by their coordinates, and vertices slide along a wall only if it is straight to
+// the bit. So each edge of the boundary has to lie exactly on a side of the box around the
+// vertices.
+void check_boundary(const FrozenMesh& mesh) {
+    const Rectangle& box = mesh.domain;
+    const auto is_on_side = [&](const Point<double>& a, const Point<double>& b) {
+        const auto is_on = [](double one, double other, double low, double high) {
+            return one == other && (one == low || one == high);
+        };
+        return is_on(a.x(), b.x(), box.low.x(), box.high.x()) ||
+               is_on(a.y(), b.y(), box.low.y(), box.high.y());
+    };
+    for (const FrozenTriangle& triangle : mesh.triangles) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Point<double>& from = mesh.nodes[triangle.nodes[next_index(i)]];
+            const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
+            if (triangle.across[i] == no_id && !is_on_side(from, to)) {
+                throw InputError(
+                    {.what = "the domain is no rectangle with sides parallel to the axes",
+                     .where = "Fluid",
+                     .value = "a boundary edge from " + to_text(from) + " to " + to_text(to),
+                     .allowed = "edges on the sides of the box from " + to_text(box.low) + " to " +
+                                to_text(box.high) + ", to the last bit"});
+            }
+        }
+    }
+}
+
 void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
     if (mesh.triangles.empty()) {
         throw InputError({.what = "the complex is empty",
@@ -117,6 +145,7 @@ void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
     for (const FrozenEdge& edge : mesh.interface) {
         (void)pair_of(options, edge.left, edge.right);
     }
+    check_boundary(mesh);
 }
 
 } // namespace

@@ -30,13 +30,14 @@ struct FluidStep {
 ///     dsc::Fluid fluid(complex, options);
 ///     for (int i = 0; i < 300; ++i) { fluid.step(simulation, 0.01); }
 ///
-/// The domain is a rectangle. Velocities are quadratic in each triangle and linear along each edge
-/// between two phases, pressures linear with a jump there: a polygon whose edges balance each other
-/// rests to rounding. A step moves the interface by the velocity extrapolated in time (whatever the
-/// integrator of the simulation), and then solves for velocity and pressure in the new mesh, with
-/// inertia by particles that are followed back to the last two meshes. Second order in the edge
-/// length and in time; no limit on the time step from tension or from the speed. Vertices slide
-/// along the interface towards equal edges, unless the simulation has edges that follow the shape
+/// The domain is a rectangle with sides parallel to the axes. Velocities are quadratic in each
+/// triangle and linear along each edge between two phases, pressures linear with a jump there: a
+/// polygon whose edges balance each other rests to rounding. A step moves the interface by the
+/// velocity extrapolated in time (whatever the integrator of the simulation), and then solves for
+/// velocity and pressure in the new mesh, with inertia by particles that are followed back to the
+/// last two meshes. Second order in the edge length and in time; no limit on the time step from
+/// tension or from the speed. Vertices slide along the interface towards equal edges, unless the
+/// simulation has edges that follow the shape
 /// (`turn_degrees`, `gap`) or a length of their own (`on_interface`). Stages of the
 /// simulation, such as `TopologyStage`, run as in any other one. The area of each phase is held to
 /// that of the start: after each sub-step each curve is moved along its normal by the distance that
@@ -49,8 +50,8 @@ class Fluid {
 public:
     /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
     /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
-    /// has no properties, or two phases meet without a tension; SolveError if the equations of
-    /// Stokes cannot be solved.
+    /// has no properties, two phases meet without a tension, or the domain is no rectangle with
+    /// sides parallel to the axes; SolveError if the equations of Stokes cannot be solved.
     Fluid(const Complex<double>& complex, FluidOptions options);
     ~Fluid();
     Fluid(const Fluid&) = delete;

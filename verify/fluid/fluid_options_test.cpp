@@ -3,9 +3,11 @@
 #include "fluid/scenes.h"
 
 #include "support/refusal.h"
+#include "support/small_meshes.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -60,6 +62,39 @@ TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {
     });
     expect_refused("no interface between", [](auto& o) { o.tensions = {{.one = 1, .other = 1}}; });
     expect_refused("phase 7", [](auto& o) { o.tensions = {{.one = 0, .other = 7}}; });
+}
+
+// n x n squares of side 1 without one of them, whose upper right corner is moved to the right.
+Complex<double> squares(std::uint32_t n, std::uint32_t left_out, double moved = 0) {
+    std::vector<Point<double>> points;
+    std::vector<test::Indices> triangles;
+    for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
+        points.emplace_back(i % (n + 1), i / (n + 1));
+    }
+    points.back().x() += moved;
+    for (std::uint32_t i = 0; i < n * n; ++i) {
+        const std::uint32_t low = i / n * (n + 1) + i % n;
+        if (i != left_out) {
+            triangles.push_back({low, low + 1, low + n + 2});
+            triangles.push_back({low, low + n + 2, low + n + 1});
+        }
+    }
+    return test::build<double>(points, triangles, std::vector<Phase>(triangles.size(), 0));
+}
+
+TEST(FluidOptions, TheDomainIsALevelRectangle) {
+    const auto sentence = [](const Complex<double>& complex) {
+        return test::refusal([&] { const Fluid fluid(complex, {.phases = {{.phase = 0}}}); });
+    };
+    EXPECT_EQ(sentence(squares(2, no_id)), "");
+    const double bit = std::nextafter(2.0, 3.0) - 2;
+    for (const auto& complex : {squares(2, 2), squares(3, 4), squares(2, no_id, bit),
+                                test::wheel<double>(4), test::hexagon<double>()}) {
+        const std::string refused = sentence(complex);
+        EXPECT_TRUE(refused.starts_with("Fluid: the domain is no rectangle")) << refused;
+    }
+    const std::string moved = sentence(squares(2, no_id, bit));
+    EXPECT_NE(moved.find("to (2.0000000000000004, 2)"), std::string::npos) << moved;
 }
 
 TEST(FluidOptions, AStepTakesTime) {
