@@ -91,9 +91,13 @@ public:
         try {
             const py::gil_scoped_release others_run;
             report_ = flow.step(*simulation_, time, dt);
+        } catch (const InputError&) {
+            if (watch_->so_far.sub_steps > 0) { // else it was refused: nothing has moved
+                note_failure();
+            }
+            throw;
         } catch (...) {
-            report_ = watch_->so_far;
-            note_events();
+            note_failure();
             throw;
         }
         note_events();
@@ -115,6 +119,10 @@ public:
     }
 
 private:
+    void note_failure() {
+        report_ = watch_->so_far;
+        note_events();
+    }
     void note_events() { events_ = topology_ ? topology_->take_events() : std::vector<Event>(); }
 
     std::shared_ptr<Mesh> mesh_;

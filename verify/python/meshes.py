@@ -16,6 +16,18 @@ def disc_mesh(h=H, **where):
     return dsc.initial_complex(DOMAIN, {1: disc(**where)}, edge_length=h)
 
 
+def l_shape(n=20, phase=lambda centres: 0):
+    """A mesh of the unit square without its upper right quarter; phases by the centres of triangles."""
+    row = n + 1
+    j, i = (one.ravel() for one in np.mgrid[:row, :row])
+    low = (j * row + i)[(i < n) & (j < n) & ((2 * i < n) | (2 * j < n))]
+    corners = np.r_[np.c_[low, low + 1, low + row + 1], np.c_[low, low + row + 1, low + row]]
+    used, triangles = np.unique(corners, return_inverse=True)
+    points = np.c_[i, j][used] / n
+    triangles = triangles.reshape(-1, 3)
+    return dsc.Mesh(points, triangles, phase(points[triangles].mean(axis=1)) + np.zeros(len(triangles), int))
+
+
 def swirl(x, t):
     X, Y = np.pi * x.T
     return np.c_[np.sin(X)**2 * np.sin(2 * Y), -np.sin(Y)**2 * np.sin(2 * X)]

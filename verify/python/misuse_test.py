@@ -8,7 +8,7 @@ import unittest
 
 import dsc
 import numpy as np
-from meshes import DOMAIN, H, disc, disc_mesh, swirl
+from meshes import DOMAIN, H, disc, disc_mesh, l_shape, swirl
 
 
 def stepped(flow, time=0.0, dt=H, **options):
@@ -72,6 +72,10 @@ def data(name, values, kind="vertex_data"):
     return lambda mesh: getattr(mesh, kind).__setitem__(name, values)
 
 
+def masked(array, count=1):
+    return np.ma.array(array, mask=np.arange(np.size(array)).reshape(np.shape(array)) < count)
+
+
 INPUT = dsc.InputError
 # (what is done with a mesh, what it raises, the sentence)
 CASES = {
@@ -127,6 +131,14 @@ CASES = {
                                                                      edge_length=H), INPUT, "cross"),
     "outline with NaN": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc() * np.nan}, edge_length=H),
                          INPUT, "finite"),
+    "outline that is masked": (lambda mesh: dsc.initial_complex(DOMAIN, {1: [masked(disc(), 3)]}, edge_length=H),
+                               INPUT, r"shapes\[1\]: masked entries: got 3 of 96"),
+    "points that are masked": (lambda mesh: dsc.Mesh(masked(mesh.points), mesh.triangles, mesh.phases), INPUT,
+                               "points: masked entries: got 1 of"),
+    "phases that are masked": (lambda mesh: dsc.Mesh(mesh.points, mesh.triangles, masked(mesh.phases)), INPUT,
+                               "phases: masked entries"),
+    "velocity that is masked": (stepped(lambda x, t: masked(swirl(x, t))), INPUT, "velocity returns: masked"),
+    "data that are masked": (lambda mesh: data("x", masked(mesh.points))(mesh), INPUT, "x: masked entries"),
     "outline of ragged rows": (lambda mesh: dsc.area([[(0, 0), (1,), (1, 1)]]), INPUT, "outlines: not an array of"),
     "no outline": (lambda mesh: dsc.area([]), INPUT, "outlines: points of another shape"),
     "outline of nothing": (lambda mesh: dsc.symmetric_difference(None, disc()), INPUT, "first: not an array"),
@@ -161,6 +173,9 @@ CASES = {
     "scene that does not exist": (lambda mesh: dsc.scenes.run("swril"), ValueError, "swril"),
     "fluid that slips at no side": (fluid_of(slip={"front"}), INPUT, "slip: no side of the domain: got 'front'"),
     "growth of one phase": (lambda mesh: dsc.growth({1: 2}), TypeError, "incompatible"),
+    "fluid in a domain of another shape": (
+        lambda mesh: fluid_of(phases={0: (1, 1), 1: (1, 1)}, tensions={})(l_shape()), INPUT,
+        r"the domain is no rectangle.*got a boundary edge from \(0\.5, "),
     "fluid without a phase": (fluid_of(phases={0: (1, 1)}), INPUT, "phase|tension"),
     "fluid without gravity's second number": (fluid_of(gravity=(1,)), INPUT, r"gravity.*shape"),
     "picture in no folder": (lambda mesh: mesh.write_svg("/no/such/folder/a.svg"), OSError, "/no/such/folder/a.svg"),

@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: MIT
 """The Python module: what a user does with it, and what it refuses."""
 import copy
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
 import threading
 import unittest
 
 import dsc
 import numpy as np
-from meshes import H, disc, disc_mesh, swirl
+from meshes import H, disc, disc_mesh, l_shape, swirl
 
 
 class Steps(unittest.TestCase):
@@ -43,6 +49,42 @@ class Steps(unittest.TestCase):
         for k in range(10):
             sim.step(Function(), 0, H)
         self.assertEqual(len(gone), 10)
+
+
+class AnotherDomain(unittest.TestCase):
+    def test_interfaces_move_in_an_l_shape(self):
+        def three(centres):
+            return 1 + (centres[:, 0] > 0.3) + (centres[:, 1] > 0.3)
+
+        growth = dsc.growth({(2, 1): 1})
+        for flow, made_for in ((dsc.curvature_flow(), None), (growth, growth),
+                               (lambda x, t: np.c_[x[:, 1] - 0.2, 0.3 - x[:, 0]], None)):
+            mesh = l_shape(phase=three)
+            sim = dsc.Simulation(mesh, made_for, edge_length=0.05, topology="change")
+            before = mesh.areas
+            for report in dsc.run(sim, flow, 0.004, 20):
+                self.assertEqual(report.unreached, 0)
+            self.assertGreater(max(abs(area - before[phase]) for phase, area in mesh.areas.items()), 1e-3)
+            self.assertEqual(mesh.validate(), "")
+            self.assertAlmostEqual(sum(mesh.areas.values()), 0.75, places=12)
+
+
+class Installed(unittest.TestCase):
+    def test_the_version_is_that_of_the_project(self):
+        project = pathlib.Path(__file__).parents[2] / "CMakeLists.txt"
+        self.assertIn(f"project(dsc VERSION {dsc.__version__}", project.read_text(encoding="utf-8"))
+
+    def test_without_its_compiled_part_it_says_how_to_build_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package = shutil.copytree(pathlib.Path(dsc.__file__).parent, pathlib.Path(folder) / "dsc",
+                                      ignore=shutil.ignore_patterns("_dsc*", "__pycache__"))
+            for found in ("none", "_dsc.cpython-27.so"):
+                if found != "none":
+                    (package / found).touch()
+                done = subprocess.run([sys.executable, "-c", "import dsc"], check=False, text=True,
+                                      capture_output=True, env={**os.environ, "PYTHONPATH": folder})
+                last = done.stderr.splitlines()[-1]
+                self.assertRegex(last, rf"^ImportError: .*: got {found}; build it by `cmake .*--target dsc_python`")
 
 
 class Arrays(unittest.TestCase):

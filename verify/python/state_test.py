@@ -116,6 +116,19 @@ class AMesh(unittest.TestCase):
 
 
 class AfterAnException(unittest.TestCase):
+    def test_a_refused_step_changes_nothing(self):
+        for threads in (1, 2):
+            sim = dsc.Simulation(disc_mesh(), edge_length=H, topology="change", threads=threads)
+            done = sim.step(swirl, 1, H)
+            state = sim.mesh.mesh_hash, sim.time
+            for time, dt in ((np.nan, H), (np.inf, H), (7, np.nan), (7, -H)):
+                with self.assertRaisesRegex(dsc.InputError, "not a time step"):
+                    sim.step(swirl, time, dt)
+            with self.assertRaisesRegex(dsc.InputError, "in no time"):
+                sim.step(dsc.curvature_flow(), 7, 0)
+            self.assertEqual((sim.mesh.mesh_hash, sim.time), state)
+            self.assertEqual(sim.report, done)
+
     def test_the_simulation_knows_how_far_it_came(self):
         for threads in (1, 2):
             def function(x, t):

@@ -20,8 +20,14 @@ def shown(value):
     return text if len(text) <= 60 else text[:60] + "…"
 
 
-def numbers(value):
-    """An array of real numbers, or None: complex ones and texts would be cast in silence."""
+def numbers(value, where):
+    """An array of real numbers, or None: complex ones and texts would be cast in silence.
+
+    Raises InputError where entries are masked: what is below a mask is no number.
+    """
+    if np.ma.is_masked(value):
+        refuse("masked entries", where, f"{np.ma.count_masked(value)} of {np.ma.size(value)}",
+               "none: leave them out, or give them values by `filled`")
     try:
         array = np.asarray(value)
     except ValueError:  # rows of several lengths
@@ -32,7 +38,7 @@ def numbers(value):
 def points(value, where, rows="n"):
     """An array of the shape (rows, 2). `where` names the argument. Raises InputError."""
     shape = f"numbers of the shape ({rows}, 2)"
-    array = numbers(value)
+    array = numbers(value, where)
     if array is None:
         refuse("not an array of points", where, shown(value), shape)
     if array.ndim != 2 or array.shape[1] != 2 or rows not in ("n", len(array)):
@@ -47,7 +53,7 @@ def point(value, where):
 
 def whole_numbers(value, where, shape, dimensions):
     """An array of numbers from 0 that fit into 32 bits. Raises InputError."""
-    array = numbers(value)
+    array = numbers(value, where)
     if array is None or array.dtype.kind not in "iu" or array.ndim != dimensions or (
             array.size and not 0 <= array.min() <= array.max() <= LARGEST):
         refuse("not an array of numbers of 32 bits", where, shown(value),
@@ -69,7 +75,7 @@ def phase(value, where):
 def outlines(value, where):
     """One outline, or those of a list or tuple of arrays, as a list. Raises InputError."""
     def is_point(one):
-        array = numbers(one)
+        array = numbers(one, where)
         return array is not None and array.ndim == 1
 
     is_list = isinstance(value, (list, tuple)) and value and not any(map(is_point, value))

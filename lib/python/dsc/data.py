@@ -27,7 +27,7 @@ class Data(MutableMapping):
 
     def __setitem__(self, name, values):
         count = len(self._mesh.points if self._kind == "vertex" else self._mesh.triangles)
-        array = numbers(values)
+        array = numbers(values, name)
         if array is None or array.shape not in ((count,), (count, 2)):
             refuse("not the data of these simplices", name, shown(values),
                    f"numbers of the shape ({count},) or ({count}, 2)")
