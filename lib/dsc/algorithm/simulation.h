@@ -178,7 +178,7 @@ public:
     /// attributes, of the other scalar type, or hold no valid complex: the simulation then refuses
     /// to step or to be written, by an InputError, until others have been read. Throws InputError
     /// where the executor, the partition or an attribute is the application's own and has no such
-    /// function. A file of them: io/part_file.h.
+    /// function. A file of them: replay/sealed_file.h.
     void archive(Archive& archive);
 
     /// To be called when the flow has changed abruptly: integrators with a memory start afresh.

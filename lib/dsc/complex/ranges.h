@@ -231,8 +231,7 @@ template <class Real>
 }
 
 /// The triangles of the star of a living vertex, counter-clockwise; on the domain boundary from the
-/// clockwise end on. Empty where the vertex has no triangle. O(degree) as a whole. The star as a
-/// set of simplices is `star` in algebra.h.
+/// clockwise end on. Empty where the vertex has no triangle. O(degree) as a whole.
 template <class Real>
 [[nodiscard]] auto star_triangles(const Complex<Real>& complex, Vertex v) {
     using Cursor = detail::StarCursor<Real>;
@@ -241,7 +240,6 @@ template <class Real>
 
 /// The vertices of the link of a living vertex, that is, its neighbours, in the order of
 /// `star_triangles`; on the domain boundary there is one more than triangles. O(degree) as a whole.
-/// The link as a set of simplices is `link` in algebra.h.
 template <class Real>
 [[nodiscard]] auto link_vertices(const Complex<Real>& complex, Vertex v) {
     using Cursor = detail::LinkCursor<Real>;
