@@ -136,5 +136,49 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
     }
 }
 
+// A disc that is drawn out gets new vertices in every third step. Each array doubles on the way,
+// once or twice, so that few steps allocate.
+void expect_rare_growth(const Velocity<double>* velocity, const InterfaceFlow<double>& flow,
+                        Way way) {
+    constexpr double finer = h / 3;
+    auto complex = test::disc_complex<double>(finer, {0.5, 0.5}, 0.1);
+    Options<double> options;
+    options.edge_length = finer;
+    Simulation<double> simulation(complex, options, test::executor_of(way, complex, options));
+    constexpr int warm_up = 20;
+    constexpr int steps = 150;
+    constexpr double dt = 0.01;
+    std::size_t vertices = 0;
+    int growing_steps = 0;
+    int allocating_steps = 0;
+    for (int step = 0; step < steps; ++step) {
+        const std::uint64_t before = test::allocations_so_far();
+        const StepReport report = velocity != nullptr ? simulation.step(*velocity, step * dt, dt)
+                                                      : simulation.step(flow, step * dt, dt);
+        const std::uint64_t made = test::allocations_so_far() - before;
+        growing_steps += step >= warm_up && report.interface_vertices > vertices ? 1 : 0;
+        allocating_steps += step >= warm_up && made > 0 ? 1 : 0;
+        vertices = std::max<std::size_t>(vertices, report.interface_vertices);
+    }
+    EXPECT_GT(growing_steps, 40) << "it hardly grows";
+    EXPECT_LE(allocating_steps, way ? 30 : 15) << "divisions allocate as well";
+}
+
+TEST(Allocations, AGrowingInterfaceMakesRoomRarely) {
+    const Velocity<double> apart = [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {positions[i].x() - 0.5, 0.5 - positions[i].y()};
+        }
+    };
+    const auto apart_as_seen = vertex_flow<double>([](const auto& view, std::size_t i, double) {
+        return Point<double>(view.positions[i].x() - 0.5, 0.5 - view.positions[i].y());
+    });
+    for (const Way way : {Way(nullptr), Way(&cells_division)}) {
+        SCOPED_TRACE(test::name_of(way));
+        expect_rare_growth(&apart, apart_as_seen, way);
+        expect_rare_growth(nullptr, apart_as_seen, way);
+    }
+}
+
 } // namespace
 } // namespace dsc::allocations_test

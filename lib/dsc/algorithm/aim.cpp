@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/executor.h"
 
+#include "dsc/base/room.h"
+
 #include <cmath>
 
 namespace dsc {
@@ -45,6 +47,7 @@ void begin_aim(Work<Real>& work) {
     aim.positions.resize(n);
     aim.targets.resize(n);
     aim.scratch.first.resize(n);
+    have_room(aim.held, n);
     aim.held.assign(n, 0);
     for (std::size_t i = 0; i < n; ++i) {
         aim.positions[i] = work.complex.position(Vertex{work.interface[i]});

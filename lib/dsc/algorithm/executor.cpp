@@ -3,6 +3,7 @@
 
 #include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
+#include "dsc/base/room.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
 
@@ -135,7 +136,7 @@ void Executor<Real>::keep_edits(bool keep) {
 
 template <class Real>
 void Executor<Real>::resize(std::span<const std::uint32_t> list) {
-    whole_.resized.insert(whole_.resized.end(), list.begin(), list.end());
+    append(whole_.resized, list);
 }
 
 template <class Real>
@@ -278,7 +279,7 @@ std::size_t Executor<Real>::interface_size() const {
 template <class Real>
 void Executor<Real>::append_interface(std::vector<std::uint32_t>& list) const {
     for (const Work<Real>* work : works_) {
-        list.insert(list.end(), work->interface.begin(), work->interface.end());
+        append(list, work->interface);
     }
 }
 
@@ -302,8 +303,7 @@ void Executor<Real>::collect_changes() {
     std::vector<std::uint32_t>& changed = whole_.changed;
     changed.clear();
     for (Work<Real>* work : works_) {
-        changed.insert(changed.end(), work->changed_interface.begin(),
-                       work->changed_interface.end());
+        append(changed, work->changed_interface);
         work->changed_interface.clear();
     }
     if (changed.empty() || works_.size() == 1) { // which has made the changes in its own list
@@ -320,7 +320,7 @@ void Executor<Real>::collect_edits() {
         return;
     }
     for (Work<Real>* work : works_) {
-        edits_.insert(edits_.end(), work->log.records.begin(), work->log.records.end());
+        append(edits_, work->log.records);
         work->log.records.clear();
     }
 }

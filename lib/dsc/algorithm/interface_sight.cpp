@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/interface_sight.h"
 
+#include "dsc/base/room.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
 
@@ -153,7 +154,7 @@ void InterfaceGraph<Real>::join() {
             junctions_.indices.push_back(found.indices[k]);
             junctions_.begin.push_back(before + found.begin[k]);
         }
-        junctions_.arms.insert(junctions_.arms.end(), found.arms.begin(), found.arms.end());
+        append(junctions_.arms, found.arms);
     }
     junctions_.begin.push_back(static_cast<std::uint32_t>(junctions_.arms.size()));
 }

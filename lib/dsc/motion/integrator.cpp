@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/motion/integrator.h"
 
+#include "dsc/base/room.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,7 +31,7 @@ public:
 
     void rk4() {
         auto& sum = scratch_.sum;
-        sum.assign(scratch_.first.begin(), scratch_.first.end());
+        assign(sum, scratch_.first);
         go_along(scratch_.first, Real(0.5));
         evaluate(Real(0.5));
         add_twice();

@@ -33,8 +33,28 @@ void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
     y = ring.y0 + along * ty;
 }
 
+// Leaves a vertex that the submesh owns to another colour, and notes in its record which entry of
+// the queue is its own.
+template <class Real>
+void defer(Work<Real>& work, const Mover<Real>& mover) {
+    auto& record = work.complex.vertices[mover.vertex];
+    record.flags |= vertex_on_way;
+    record.slot = static_cast<std::uint32_t>(work.deferred.entries.size());
+    work.deferred.mover(mover);
+}
+
+// Whether an owned vertex has been left to another colour. The slot may be stale: the entry there
+// decides. O(1).
+template <class Real>
+bool is_deferred(const Work<Real>& work, std::uint32_t vertex) {
+    const auto& entries = work.deferred.entries;
+    const std::uint32_t slot = work.complex.vertices[vertex].slot;
+    return slot < entries.size() && entries[slot].vertex == vertex &&
+           entries[slot].kind == DeferredKind::mover;
+}
+
 // Whether a neighbour on the way to (x, y) has been left to another submesh. Whoever comes near it
-// before it moves gets past it, and neither can move any more. O(degree), times what is put off.
+// before it moves gets past it, and neither can move any more. O(degree).
 template <class Real>
 bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Real y) {
     const auto is_ahead = [&](std::uint32_t i) {
@@ -42,13 +62,9 @@ bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Re
                    (y - ring.y0) * (ring.link_y(i) - ring.y0) >
                0;
     };
-    const auto is_deferred = [&](std::uint32_t v) {
-        return std::ranges::any_of(work.deferred.entries, [&](const Deferred<Real>& one) {
-            return one.vertex == v && one.kind == DeferredKind::mover;
-        });
-    };
     for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-        if (is_waiting(work.complex, ring.link[i]) && is_ahead(i) && is_deferred(ring.link[i])) {
+        if (is_waiting(work.complex, ring.link[i]) && is_ahead(i) &&
+            is_deferred(work, ring.link[i])) {
             return true;
         }
     }
@@ -77,10 +93,11 @@ void move_vertices(Work<Real>& work) {
         const bool gathered = gather_mover(work, mover);
         auto& flags = work.complex.vertices[mover.vertex].flags;
         if (!ring.owned) {
-            if (gathered) { // else the vertex belongs to another submesh
-                flags |= vertex_on_way;
+            if (gathered) {
+                defer(work, mover);
+            } else { // it belongs to another submesh
+                work.deferred.mover(mover);
             }
-            work.deferred.mover(mover);
             continue;
         }
         if (!gathered) {
@@ -94,8 +111,7 @@ void move_vertices(Work<Real>& work) {
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // It would leave the submesh, where the next colour looks for what was postponed.
-            flags |= vertex_on_way;
-            work.deferred.mover(mover);
+            defer(work, mover);
             continue;
         }
         const MoveOutcome outcome = move_vertex(work.submesh, ring, x, y);
@@ -107,10 +123,10 @@ void move_vertices(Work<Real>& work) {
         constexpr std::uint32_t late = vertex_contact | vertex_on_way;
         work.arrived += outcome == MoveOutcome::reached ? 1 : 0;
         if (outcome != MoveOutcome::reached) {
-            flags |= vertex_on_way;
             if (!work.submesh.region.is_whole() && follows_deferred(work, ring, x, y)) {
-                work.deferred.mover(mover);
+                defer(work, mover);
             } else {
+                flags |= vertex_on_way;
                 work.movers[kept++] = {mover.vertex, mover.x, mover.y};
             }
         } else if ((flags & late) != 0) {

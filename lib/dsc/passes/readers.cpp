@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/readers.h"
 
+#include "dsc/base/room.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/passes/interface/list.h"
@@ -69,15 +70,21 @@ void wake_edit(Work<Real>& work, const Edit& edit) {
     }
 }
 
-// A mover knows its vertex by the id, which may be in use again after the pass.
+// A mover knows its vertex by the id, which may be in use again after the pass. O(edits + movers
+// log edits).
 template <class Real>
 void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
+    std::vector<std::uint32_t>& gone = work.changed;
+    gone.clear();
     for (const Edit& edit : edits) {
         if (edit.kind == EditKind::collapse || edit.kind == EditKind::remove_vertex) {
-            std::erase_if(work.movers,
-                          [&](const Mover<Real>& mover) { return mover.vertex == edit.vertex.id; });
+            gone.push_back(edit.vertex.id);
         }
     }
+    std::ranges::sort(gone);
+    std::erase_if(work.movers, [&](const Mover<Real>& mover) {
+        return std::ranges::binary_search(gone, mover.vertex);
+    });
 }
 
 // Between triangles of one phase, perhaps on the domain boundary.
@@ -212,7 +219,7 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
             work.interface.push_back(v);
         }
     }
-    work.changed_interface.insert(work.changed_interface.end(), changed.begin(), changed.end());
+    append(work.changed_interface, changed);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Who has what: each vertex of the interface, and each star that has to be visited, is in the list
 // of the submesh that owns it.
+#include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
@@ -34,7 +35,7 @@ template <class Real>
 void SubmeshExecutor<Real>::hand_out_resized() {
     std::vector<std::uint32_t>& list = whole_.resized; // no submesh, so that it may collect
     for (const auto& part : parts_) {
-        list.insert(list.end(), part->work.resized.begin(), part->work.resized.end());
+        append(list, part->work.resized);
         part->work.resized.clear();
     }
     std::size_t at = 0;
@@ -71,7 +72,7 @@ template <class Real>
 void SubmeshExecutor<Real>::put_back() {
     std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
     for (Work<Real>* work : works_) {
-        later.insert(later.end(), work->active.begin(), work->active.end());
+        append(later, work->active);
         for (const Deferred<Real>& one : work->deferred.entries) {
             if (one.kind == DeferredKind::star) {
                 later.push_back(one.vertex);

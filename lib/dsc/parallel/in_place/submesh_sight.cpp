@@ -3,6 +3,7 @@
 // all submeshes have to be at the same stage, so they are integrated together. A flow that sees the
 // interface is evaluated submesh by submesh, in parallel; a velocity that is called for all at once
 // and a motion of the whole interface once.
+#include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
@@ -16,15 +17,15 @@ void SubmeshExecutor<Real>::join_interface() {
     list.clear();
     ends_.clear();
     stars.clear();
-    const auto append = [&](const Work<Real>& part) {
-        list.insert(list.end(), part.interface.begin(), part.interface.end());
+    const auto join = [&](const Work<Real>& part) {
+        append(list, part.interface);
         ends_.push_back(list.size());
-        stars.insert(stars.end(), part.stars.begin(), part.stars.end());
+        append(stars, part.stars);
     };
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        append(parts_[i]->work);
+        join(parts_[i]->work);
     }
-    append(whole_);
+    join(whole_);
 }
 
 template <class Real>
@@ -44,9 +45,7 @@ void SubmeshExecutor<Real>::hand_out_aims() {
         const std::size_t end = ends_[range];
         Aim<Real>& to = range < first_colour_ ? parts_[range]->work.aim : whole_.aim;
         const auto take = [&](const auto& all, auto& part) {
-            const auto first = all.begin();
-            part.assign(first + static_cast<std::ptrdiff_t>(begin),
-                        first + static_cast<std::ptrdiff_t>(end));
+            assign(part, std::span(all).subspan(begin, end - begin));
         };
         take(from.positions, to.positions);
         take(from.targets, to.targets);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step itself: what the submeshes do, what they hand on, and what is left at the end.
+#include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/readers.h"
 
@@ -202,7 +203,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     }
     std::ranges::sort(listed_);
     listed_.erase(std::unique(listed_.begin(), listed_.end()), listed_.end());
-    whole_.interface.insert(whole_.interface.end(), listed_.begin(), listed_.end());
+    append(whole_.interface, listed_);
     listed_places_.clear();
     for (const std::uint32_t v : listed_) {
         listed_places_.push_back(place_of(v));
@@ -213,10 +214,10 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
     // Any other that a pass of an application has changed is listed in the whole by now.
     std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of upkeep
-    there = whole_.interface;
+    assign(there, whole_.interface);
     std::ranges::sort(there);
     std::vector<std::uint32_t>& gone = whole_.changed; // scratch of run_pass
-    gone = whole_.changed_interface;
+    assign(gone, whole_.changed_interface);
     std::erase_if(gone, [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
     std::size_t kept = 0;
     for (std::size_t i = 0; i < listed_.size(); ++i) {
@@ -346,7 +347,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     // A stage may set free those that did not arrive.
     for (const auto& part : parts_) {
         std::vector<Mover<Real>>& missed = part->work.movers;
-        whole_.movers.insert(whole_.movers.end(), missed.begin(), missed.end());
+        append(whole_.movers, missed);
         missed.clear();
     }
 }
