@@ -10,13 +10,13 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <thread>
 #include <vector>
 
 #if defined(__linux__)
 #include <sched.h>
+#include <unistd.h>
 #endif
 
 namespace dsc::thread_pool_test {
@@ -119,21 +119,10 @@ TEST(ThreadPool, SleepsAtOnceWhereWaitingIsToBePassive) {
 }
 
 #if defined(__linux__)
-int cores_of_this_thread() {
+// Of a process, or of this thread: 0.
+int cores_of(pid_t process) {
     cpu_set_t allowed;
-    return sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : -1;
-}
-
-// All that the system gives to the process, whatever the thread was bound to before.
-int cores_of_the_process() {
-    int cores = 0;
-    std::thread([&] {
-        cpu_set_t all;
-        std::memset(&all, 0xff, sizeof all);
-        sched_setaffinity(0, sizeof all, &all);
-        cores = cores_of_this_thread();
-    }).join();
-    return cores;
+    return sched_getaffinity(process, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : -1;
 }
 
 // Run once more with OMP_PROC_BIND set, which binds the thread that calls.
@@ -144,13 +133,14 @@ TEST(ThreadPool, LetsWorkersUseAllCoresWhereOpenMPBindsTheCaller) {
     std::atomic<int> cores = 0;
     pool.run(2, [&](std::uint32_t thread) {
         if (thread == 1) {
-            cores = cores_of_this_thread();
+            cores = cores_of(0);
         }
         for (WaitingTurns turns; thread == 0 && cores == 0;) {
             turns.wait();
         }
     });
-    EXPECT_EQ(cores, is_bound ? cores_of_the_process() : cores_of_this_thread());
+    // Before OpenMP bound this thread, it was allowed what the process that began this one is.
+    EXPECT_EQ(cores, cores_of(is_bound ? getppid() : 0));
 }
 #endif
 
