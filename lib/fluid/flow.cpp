@@ -174,6 +174,12 @@ Fluid::~Fluid() = default;
 
 FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     require(std::isfinite(dt) && dt > 0, "dt of a step of a fluid", dt, "above 0");
+    if (&simulation.complex() != &complex_) {
+        throw InputError({.what = "the simulation belongs to another complex",
+                          .where = "Fluid::step",
+                          .value = "a simulation of it",
+                          .allowed = "one of the complex that the fluid was made for"});
+    }
     FluidStep report;
     // At rest the velocity says nothing of where it goes: the first step moves by the one that the
     // old mesh gives for its end.

@@ -52,8 +52,7 @@ public:
 private:
     // The pool of the complex: every id that is not alive.
     void gather_free_ids() {
-        complex_.ids.vertices.clear();
-        complex_.ids.triangles.clear();
+        complex_.ids.clear();
         for (std::uint32_t v = complex_.vertex_bound(); v-- > 0;) {
             if (!complex_.is_alive(Vertex{v})) {
                 complex_.ids.vertices.push_back(v);
@@ -64,8 +63,6 @@ private:
                 complex_.ids.triangles.push_back(t);
             }
         }
-        complex_.lent_vertices = 0;
-        complex_.lent_triangles = 0;
     }
 
     // Whether the edge opposite to the corner is the one that the record means.

@@ -166,16 +166,16 @@ TYPED_TEST(Validate, SeesFaultsInRecords) {
          }},
         {"free vertex 999", [](K& k) { k.ids.vertices.push_back(999); }},
         {"free vertex 24: it lives", [](K& k) { k.ids.vertices.push_back(24); }},
-        {"pool twice", [](K& k) { k.ids.vertices.push_back(k.ids.vertices[0]); }},
-        {"dead, but not in the pool", [](K& k) { k.ids.vertices.clear(); }},
+        {"is free twice", [](K& k) { k.ids.vertices.push_back(k.ids.vertices[0]); }},
+        {"dead, but not free", [](K& k) { k.ids.vertices.clear(); }},
         {"free triangle 999", [](K& k) { k.ids.triangles.push_back(999); }},
         {"free triangle 0", [](K& k) { k.ids.triangles.push_back(0); }},
         {"free triangle 5: it lives", [](K& k) { k.ids.triangles.push_back(5); }},
-        {"pool twice", [](K& k) { k.ids.triangles.push_back(k.ids.triangles[0]); }},
-        {"triangle " + std::to_string(dead_triangle) + ": it is dead, but not in the pool",
+        {"is free twice", [](K& k) { k.ids.triangles.push_back(k.ids.triangles[0]); }},
+        {"triangle " + std::to_string(dead_triangle) + ": it is dead, but not free",
          [](K& k) { k.ids.triangles.clear(); }},
-        {"lent", [](K& k) { k.lent_triangles = 1; }},
-        {"lent", [](K& k) { k.lent_vertices = 1; }},
+        {"free triangle 5: it lives", [](K& k) { k.ids.lend(1).triangles.push_back(5); }},
+        {"is free twice", [](K& k) { k.ids.lend(0).vertices.push_back(k.ids.vertices[0]); }},
         {"vertex 24 does not live", [](K& k) { k.vertices[24].flags |= vertex_dead; }},
         {"does not live", [&](K& k) { k.triangles[t].v[0] = no_id; }},
     };
@@ -199,8 +199,10 @@ TYPED_TEST(Validate, SeesADegenerateTriangle) {
 
 TYPED_TEST(Validate, LentIdsAreNotMissing) {
     auto complex = sound<TypeParam>();
-    complex.ids.triangles.clear();
-    complex.lent_triangles = 1;
+    const std::uint32_t triangles = complex.triangle_count();
+    move_ids(complex.ids, complex.ids.lend(2), 0, 0);
+    EXPECT_TRUE(complex.ids.triangles.empty());
+    EXPECT_EQ(complex.triangle_count(), triangles);
     EXPECT_EQ(validate(complex).problem, "");
 }
 

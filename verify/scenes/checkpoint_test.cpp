@@ -245,7 +245,7 @@ TEST_F(Checkpoints, WhatIsNoComplexIsRefused) {
           read_after([](auto& complex) { complex.triangles[7].n[2] = 1'000'000; }),
           read_after([](auto& complex) { complex.vertices[9].x = NAN; }),
           read_after([](auto& complex) { complex.ids.vertices.push_back(3); }),
-          read_after([](auto& complex) { complex.lent_vertices = 1; })}) {
+          read_after([](auto& complex) { complex.ids.lend(1).vertices.push_back(3); })}) {
         EXPECT_TRUE(said.starts_with("here: holds no valid complex: ")) << said;
     }
 }

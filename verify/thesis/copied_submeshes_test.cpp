@@ -177,17 +177,12 @@ TEST(CopiedSubmeshes, KnowHowLongNewAttributesAre) {
     }
 }
 
-TEST(CopiedSubmeshes, AreRefusedWhereIdsAreLentAndWithoutNumberOrDirection) {
+TEST(CopiedSubmeshes, AreRefusedWithoutNumberOrDirection) {
     CopiedSubmeshes<double> submeshes;
     for (const CountingDivision& bad :
          {CountingDivision{.submeshes = 0}, CountingDivision{.submeshes = 2, .normal_x = 2},
           CountingDivision{.submeshes = 2, .normal_x = 0, .normal_y = 0}}) {
         EXPECT_THROW(create_submeshes(test::grid<double>(4), bad, submeshes), InputError);
-    }
-    for (const auto lent : {&Complex<double>::lent_vertices, &Complex<double>::lent_triangles}) {
-        auto mesh = test::grid<double>(4);
-        mesh.*lent = 1;
-        EXPECT_THROW(create_submeshes(mesh, {}, submeshes), InputError);
     }
 }
 

@@ -82,6 +82,7 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
       whole_(complex, options_), works_{&whole_},
       sight_(std::make_unique<InterfaceSight<Real>>(in_shares_)) {
+    complex.ids.collect(); // from an executor that has the complex no longer
     // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
@@ -148,7 +149,6 @@ void Executor<Real>::absorb(std::span<const Edit> edits) {
             work->resized.clear(); // all is measured anew
             work->deferred.clear();
         }
-        forget_ids();
         clear_stamps(complex_);
         list_interface();
     }

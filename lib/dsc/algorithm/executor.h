@@ -63,6 +63,9 @@ public:
     Executor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm);
     virtual ~Executor();
 
+    /// The one that was given.
+    [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
+
     // Between two steps.
     /// Replaces all options by ones that have been checked. O(mesh) if other phases are carried.
     void set_options(const Options<Real>& options);
@@ -123,8 +126,6 @@ protected:
 
     /// The work in whose list a vertex of the interface belongs.
     virtual Work<Real>& home_of(std::uint32_t /*vertex*/) { return whole_; }
-    /// Called when all ids have changed: those that submeshes hold mean others now.
-    virtual void forget_ids() {}
 
     // Parts of a step.
     /// Interface upkeep in the whole. Nothing is put off there.

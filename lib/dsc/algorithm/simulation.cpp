@@ -9,6 +9,7 @@
 #include "dsc/sizes/sizes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -26,7 +27,15 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
     check_options(options);
     begin_integrator();
     if (executor_) {
+        if (&executor_->complex() != &complex) {
+            throw InputError({.what = "the executor belongs to another complex",
+                              .where = "Simulation",
+                              .value = "an executor that was made for it",
+                              .allowed = "one that make_executor made for this complex"});
+        }
         executor_->set_options(completed());
+        // What the application has edited since the executor was made is in no journal.
+        executor_->absorb(std::array{Edit{.kind = EditKind::rebuild}});
     } else {
         executor_ =
             std::make_unique<Executor<Real>>(complex, completed(), default_algorithm<Real>());

@@ -127,6 +127,10 @@ public:
                std::unique_ptr<Executor<Real>> executor);
     ~Simulation();
 
+    /// The one that was given.
+    [[nodiscard]] Complex<Real>& complex() { return complex_; }
+    /// The same, to be read.
+    [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     /// Those of the next step.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory

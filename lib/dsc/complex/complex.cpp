@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace dsc {
 
@@ -47,13 +48,37 @@ Complex<Real>::Complex() : triangles{border_record} {
 }
 
 template <class Real>
+Complex<Real>::Complex(Complex&& other) noexcept : Complex() {
+    *this = std::move(other);
+}
+
+template <class Real>
+Complex<Real>& Complex<Real>::operator=(const Complex& other) {
+    return this == &other ? *this : *this = Complex(other);
+}
+
+template <class Real>
+Complex<Real>& Complex<Real>::operator=(Complex&& other) noexcept {
+    if (this != &other) {
+        Complex empty;
+        journal = empty.journal; // tells the readers that another mesh is there
+        other.journal = empty.journal;
+        attributes = std::exchange(other.attributes, std::move(empty.attributes));
+        vertices = std::exchange(other.vertices, {});
+        triangles = std::exchange(other.triangles, std::move(empty.triangles));
+        ids = std::move(other.ids);
+    }
+    return *this;
+}
+
+template <class Real>
 std::uint32_t Complex<Real>::vertex_count() const {
-    return vertex_bound() - static_cast<std::uint32_t>(ids.vertices.size()) - lent_vertices;
+    return vertex_bound() - ids.vertex_total();
 }
 
 template <class Real>
 std::uint32_t Complex<Real>::triangle_count() const {
-    return triangle_bound() - 1 - static_cast<std::uint32_t>(ids.triangles.size()) - lent_triangles;
+    return triangle_bound() - 1 - ids.triangle_total();
 }
 
 template <class Real>

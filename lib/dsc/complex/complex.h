@@ -9,6 +9,7 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/attributes.h"
 #include "dsc/complex/edit_log.h"
+#include "dsc/complex/ids.h"
 
 #include <array>
 #include <atomic>
@@ -65,15 +66,6 @@ void write_shared(Real& value, Real next) {
     std::atomic_ref<Real>(value).store(next, std::memory_order_relaxed);
 }
 
-/// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
-/// in parallel may not grow them: an edit that finds its pool empty is refused
-/// (`Verdict::out_of_ids`).
-struct IdPool {
-    std::vector<std::uint32_t> vertices;  ///< ids without a vertex
-    std::vector<std::uint32_t> triangles; ///< ids without a triangle
-    bool may_grow = true;                 ///< false: an empty pool refuses
-};
-
 /// Whether a simulation works on a complex. This belongs to the object, not to its value: a complex
 /// made from another one is free, and assignment changes nothing.
 class InUse {
@@ -103,11 +95,24 @@ class Complex {
 public:
     using Scalar = Real; ///< the type of coordinates
 
+    /// Without vertices and triangles.
     Complex();
+    /// A value of its own: attributes and free ids included, edits that somebody reads and a
+    /// simulation not.
+    Complex(const Complex&) = default;
+    /// The other one is empty afterwards, and may be used again. Ends the program if there is no
+    /// memory for an empty complex.
+    Complex(Complex&& other) noexcept;
+    /// Happens whole or not at all. Handles and references to attributes become invalid; a
+    /// simulation of this complex goes on with what it finds.
+    Complex& operator=(const Complex& other);
+    /// The same, without a copy; the other one is empty afterwards.
+    Complex& operator=(Complex&& other) noexcept;
+    ~Complex() = default;
 
     // --- counts -------------------------------------------------------------------------------
-    [[nodiscard]] std::uint32_t vertex_count() const;   ///< living vertices; O(1)
-    [[nodiscard]] std::uint32_t triangle_count() const; ///< living triangles; O(1)
+    [[nodiscard]] std::uint32_t vertex_count() const;   ///< living vertices; O(submeshes)
+    [[nodiscard]] std::uint32_t triangle_count() const; ///< living triangles; O(submeshes)
     /// Ids are below these bounds; some may be free. Triangle 0 is the border and never counted.
     [[nodiscard]] std::uint32_t vertex_bound() const {
         return static_cast<std::uint32_t>(vertices.size());
@@ -228,9 +233,7 @@ public:
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord<Real>> vertices; ///< by id
     std::vector<TriangleRecord> triangles;    ///< by id; 0 is the border
-    IdPool ids;                               ///< free ids of the whole complex
-    std::uint32_t lent_vertices = 0;          ///< free ids that submeshes hold while they run
-    std::uint32_t lent_triangles = 0;         ///< the same for triangles
+    FreeIds ids;                              ///< those that no simplex has
 
 private:
     void set_flag(Vertex v, std::uint32_t flag, bool is_set) {
@@ -274,8 +277,7 @@ struct Renumbering {
 /// The new order depends on the old one only where vertices coincide or triangles begin at another
 /// of their corners. O(n log n); works in place, with 16 extra bytes per vertex and 8 per triangle
 /// (and the copy of one attribute at a time). Noted in the journal: a simulation of this complex
-/// adopts the new ids before its next step; must not be called during a step. Throws InputError if
-/// submeshes hold ids of the complex and nothing reads its journal.
+/// adopts the new ids before its next step; must not be called during a step.
 template <class Real>
 Renumbering renumber(Complex<Real>& complex);
 
@@ -290,7 +292,7 @@ void archive(Archive& archive, Complex<Real>& complex);
 
 void archive(Archive& archive, Edit& edit);
 void archive(Archive& archive, OperationCounts& counts);
-void archive(Archive& archive, IdPool& pool);
+void archive(Archive& archive, FreeIds& ids);
 
 /// Refuses a list with an id that no vertex of the complex has, dead or alive. O(list).
 template <class Real>

@@ -18,7 +18,17 @@ void archive(Archive& archive, OperationCounts& counts) {
             counts.retriangulations, counts.relabelled, counts.examined);
 }
 
-void archive(Archive& archive, IdPool& pool) { archive(pool.vertices, pool.triangles); }
+void archive(Archive& archive, FreeIds& ids) {
+    const std::uint64_t lent = archive.length(ids.lent.size(), 1);
+    if (archive.is_reading()) {
+        ids.clear();
+    }
+    archive(ids.vertices, ids.triangles);
+    for (std::size_t i = 0; i < lent; ++i) {
+        IdPool& pool = ids.lend(i);
+        archive(pool.vertices, pool.triangles);
+    }
+}
 
 namespace {
 
@@ -63,7 +73,7 @@ void archive(Archive& archive, Complex<Real>& complex) {
     archive.expect(!complex.triangles.empty() && complex.vertices.size() < no_id &&
                        complex.triangles.size() < triangle_limit,
                    "holds no complex");
-    archive(complex.ids, complex.lent_vertices, complex.lent_triangles);
+    archive(complex.ids);
     complex.attributes.archive(archive);
     archive(complex.journal.counts, complex.journal.records);
     for (const Edit& edit : complex.journal.records) {

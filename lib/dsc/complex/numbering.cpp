@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/complex.h"
 
-#include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -180,15 +178,6 @@ std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y) {
 
 template <class Real>
 Renumbering renumber(Complex<Real>& complex) {
-    // A simulation that reads the journal learns of it there, and lends its submeshes new ids.
-    const bool is_heard = complex.journal.readers > 0;
-    if (!is_heard && (complex.lent_vertices != 0 || complex.lent_triangles != 0)) {
-        throw InputError({.what = "submeshes hold free ids of the complex",
-                          .where = "renumber",
-                          .value = std::to_string(complex.lent_vertices) + " vertices and " +
-                                   std::to_string(complex.lent_triangles) + " triangles",
-                          .allowed = "0 of each: let the submeshes give them back first"});
-    }
     Renumbering result;
     {
         std::vector<std::uint32_t> order = order_vertices(complex);
@@ -221,10 +210,7 @@ Renumbering renumber(Complex<Real>& complex) {
             vertex.corner = moved(vertex.corner);
         }
     }
-    complex.ids.vertices.clear();
-    complex.ids.triangles.clear();
-    complex.lent_vertices = 0;
-    complex.lent_triangles = 0;
+    complex.ids.clear();
     rewire::note(complex.journal, [] { return Edit{.kind = EditKind::renumber}; });
     return result;
 }

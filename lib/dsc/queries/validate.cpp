@@ -173,12 +173,17 @@ Problem check_triangles(const Complex<Real>& complex, Check check) {
     return {};
 }
 
-// The pool holds exactly the dead ids, except for those that submeshes hold at this moment.
+// The pools, lent ones included, hold exactly the dead ids.
 template <class IsAlive>
-Problem check_pool(const char* kind, const std::vector<std::uint32_t>& pool, std::uint32_t first,
-                   std::uint32_t bound, std::uint32_t lent, IsAlive is_alive) {
+Problem check_pools(const char* kind, const FreeIds& ids,
+                    std::vector<std::uint32_t> IdPool::*of_kind, std::uint32_t first,
+                    std::uint32_t bound, IsAlive is_alive) {
+    std::vector<std::uint32_t> all = ids.*of_kind;
+    for (const IdPool& pool : ids.lent) {
+        all.insert(all.end(), (pool.*of_kind).begin(), (pool.*of_kind).end());
+    }
     std::vector<std::uint8_t> listed(bound, 0);
-    for (const std::uint32_t id : pool) {
+    for (const std::uint32_t id : all) {
         if (id < first || id >= bound) {
             return std::string("free ") + name(kind, id) + ": the id is out of range";
         }
@@ -186,24 +191,14 @@ Problem check_pool(const char* kind, const std::vector<std::uint32_t>& pool, std
             return std::string("free ") + name(kind, id) + ": it lives, or is in use";
         }
         if (listed[id] != 0) {
-            return std::string("free ") + name(kind, id) + ": it is in the pool twice";
+            return std::string("free ") + name(kind, id) + ": it is free twice";
         }
         listed[id] = 1;
     }
-    std::uint32_t missing = 0;
-    std::uint32_t first_missing = no_id;
     for (std::uint32_t id = first; id < bound; ++id) {
-        if (!is_alive(id) && listed[id] == 0 && missing++ == 0) {
-            first_missing = id;
+        if (!is_alive(id) && listed[id] == 0) {
+            return name(kind, id) + ": it is dead, but not free";
         }
-    }
-    if (missing != lent) {
-        return missing > lent ? name(kind, first_missing) + ": it is dead, but not in the pool (" +
-                                    std::to_string(missing) + " such, " + std::to_string(lent) +
-                                    " lent to submeshes)"
-                              : std::string("free ids of kind ") + kind + ": " +
-                                    std::to_string(lent) + " are said to be lent to submeshes, " +
-                                    std::to_string(missing) + " are not in the pool";
     }
     return {};
 }
@@ -281,14 +276,12 @@ Problem find_problem(const Complex<Real>& complex, ValidationReport& report) {
     each_triangle([&](std::uint32_t t) { return check_links(complex, t); });
     each_triangle([&](std::uint32_t t) { return check_orientation(complex, t); });
     then([&] {
-        return check_pool("vertex", complex.ids.vertices, 0, complex.vertex_bound(),
-                          complex.lent_vertices,
-                          [&](std::uint32_t id) { return complex.is_alive(Vertex{id}); });
+        return check_pools("vertex", complex.ids, &IdPool::vertices, 0, complex.vertex_bound(),
+                           [&](std::uint32_t id) { return complex.is_alive(Vertex{id}); });
     });
     then([&] {
-        return check_pool("triangle", complex.ids.triangles, 1, complex.triangle_bound(),
-                          complex.lent_triangles,
-                          [&](std::uint32_t id) { return complex.is_alive(Triangle{id}); });
+        return check_pools("triangle", complex.ids, &IdPool::triangles, 1, complex.triangle_bound(),
+                           [&](std::uint32_t id) { return complex.is_alive(Triangle{id}); });
     });
     then([&] { return check_fans(complex); });
     then([&] { return find_overlap(complex, report); });

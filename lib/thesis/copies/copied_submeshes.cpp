@@ -196,13 +196,6 @@ template <class Real>
 void create_submeshes(const Complex<Real>& mesh, const CountingDivision& division,
                       CopiedSubmeshes<Real>& submeshes) {
     check_division(division);
-    if (mesh.lent_vertices != 0 || mesh.lent_triangles != 0) {
-        throw InputError({.what = "submeshes hold free ids of the complex",
-                          .where = "create_submeshes",
-                          .value = std::to_string(mesh.lent_vertices) + " vertices and " +
-                                   std::to_string(mesh.lent_triangles) + " triangles",
-                          .allowed = "0 of each: let the submeshes give them back first"});
-    }
     submeshes.list.resize(division.submeshes);
     number_simplices(mesh, division, submeshes);
     bucket_triangles(submeshes);

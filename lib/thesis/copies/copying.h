@@ -62,10 +62,7 @@ void clear(Complex<Real>& complex) {
     complex.vertices.clear();
     complex.triangles.assign(
         1, {{0, 0, 0}, {border_corner, border_corner, border_corner}, border_phase, 0});
-    complex.ids.vertices.clear();
-    complex.ids.triangles.clear();
-    complex.lent_vertices = 0;
-    complex.lent_triangles = 0;
+    complex.ids.clear();
 }
 
 } // namespace dsc::copying

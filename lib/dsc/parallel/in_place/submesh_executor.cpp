@@ -54,22 +54,20 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     };
     // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
     // for the first time, making room, lending ids, and starting threads.
+    generation_ = complex_.ids.generation;
     divide();
     choose_threads();
     make_room();
     for (auto& part : parts_) {
         refill(*part);
     }
-    count_lent();
 }
 
 template <class Real>
 SubmeshExecutor<Real>::~SubmeshExecutor() {
-    for (auto& part : parts_) {
-        give_back(part->pool, 0, 0);
+    if (has_pools()) {
+        complex_.ids.collect();
     }
-    complex_.lent_vertices = 0;
-    complex_.lent_triangles = 0;
 }
 
 // --- set-up ------------------------------------------------------------------------------------
@@ -92,6 +90,7 @@ template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
     (void)step_timer_.lap();
     Executor<Real>::begin_step();
+    take_pools();
     choose_threads();
     pool_.wake(threads_);
     profile_.clear();
@@ -166,7 +165,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     const std::size_t kept = recut == Recut::all ? 0 : first_colour_;
     const std::size_t wanted = is_one(partition_) ? 0 : size_of(partition_);
     while (parts_.size() > wanted) {
-        give_back(parts_.back()->pool, 0, 0);
+        move_ids(*parts_.back()->pool, complex_.ids, 0, 0);
         const std::vector<std::uint32_t>& resized = parts_.back()->work.resized;
         whole_.resized.insert(whole_.resized.end(), resized.begin(), resized.end());
         parts_.back()->work.resized.clear();
@@ -179,6 +178,8 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
         }
         parts_.push_back(std::move(spare_parts_.back()));
         spare_parts_.pop_back();
+        parts_.back()->pool = &complex_.ids.lend(parts_.size() - 1);
+        parts_.back()->make_room(Part::least_room);
         parts_.back()->work.log.readers = whole_.log.readers;
     }
     first_colour_ = parts_.empty() ? 0 : partition_.colours.front().regions.size();
@@ -188,7 +189,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
             Part& part = *parts_[works_.size()];
             part.work.upkeep = algorithm_.upkeep;
             part.work.submesh.region = colour.regions[i].simplest();
-            part.work.submesh.pool = colour.regions[i].is_whole() ? &complex_.ids : &part.pool;
+            part.work.submesh.pool = colour.regions[i].is_whole() ? &complex_.ids : part.pool;
             if (works_.size() >= kept) {
                 part.work.interface.clear();
                 part.examined = 0;
@@ -269,9 +270,10 @@ void SubmeshExecutor<Real>::end_step() {
     for (auto& part : parts_) {
         part->examined += part->work.log.counts.examined;
         examined += part->work.log.counts.examined;
-        give_back_surplus(*part);
+        if (has_pools()) { // a stage may have replaced the complex
+            give_back_surplus(*part);
+        }
     }
-    count_lent();
     choice_.took(step_timer_.lap(), static_cast<double>(examined), useful_threads_);
 }
 

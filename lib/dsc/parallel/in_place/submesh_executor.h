@@ -25,7 +25,7 @@ public:
     /// and what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                     std::unique_ptr<Partitioner<Real>> partitioner, const Parallel& parallel);
-    /// Returns the ids that the submeshes hold to the complex.
+    /// Returns the ids that the submeshes hold, unless the complex has others by now.
     ~SubmeshExecutor() override;
 
     void begin_step() override;
@@ -42,7 +42,6 @@ public:
 
 protected:
     [[nodiscard]] Work<Real>& home_of(std::uint32_t vertex) override;
-    void forget_ids() override;
 
 private:
     struct Part;
@@ -55,9 +54,9 @@ private:
     void make_room();
     [[nodiscard]] static std::size_t least_vertices(const Part& part);
     void refill(Part& part);
-    void count_lent();
+    [[nodiscard]] bool has_pools() const { return generation_ == complex_.ids.generation; }
+    void take_pools();
     void choose_threads();
-    void give_back(IdPool& pool, std::size_t vertices, std::size_t triangles);
     void give_back_surplus(Part& part);
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.
@@ -74,7 +73,6 @@ private:
     void send_home();
     void clean_up(MoveReport& report);
     void put_back();
-    void expect_pools(const Archive& archive) const; // submesh_archive.cpp
     // Flows that see the interface: submesh_sight.cpp.
     AimReport<Real> aim_together(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
@@ -98,6 +96,7 @@ private:
     PartitionStatus status_;
 
     std::vector<std::unique_ptr<Part>> parts_;       // colour by colour; none: the whole is one
+    std::uint64_t generation_ = 0;                   // of the complex's ids that lent their pools
     std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their lists have room
     std::size_t first_colour_ = 0;                   // parts of the first colour
     Schedule aiming_;

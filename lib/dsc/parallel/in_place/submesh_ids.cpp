@@ -13,17 +13,20 @@ constexpr std::size_t spare_vertices = 64;
 
 } // namespace
 
+// Pools of an earlier generation, or of an executor that has the complex no longer, are no use.
 template <class Real>
-void SubmeshExecutor<Real>::give_back(IdPool& pool, std::size_t vertices, std::size_t triangles) {
-    const auto give = [](std::vector<std::uint32_t>& from, std::vector<std::uint32_t>& to,
-                         std::size_t keep) {
-        while (from.size() > keep) {
-            to.push_back(from.back());
-            from.pop_back();
-        }
-    };
-    give(pool.vertices, complex_.ids.vertices, vertices);
-    give(pool.triangles, complex_.ids.triangles, triangles);
+void SubmeshExecutor<Real>::take_pools() {
+    if (has_pools()) {
+        return;
+    }
+    complex_.ids.collect();
+    generation_ = complex_.ids.generation;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        IdPool*& used = parts_[i]->work.submesh.pool;
+        const bool is_whole = parts_[i]->work.submesh.region.is_whole();
+        parts_[i]->pool = &complex_.ids.lend(i);
+        used = is_whole ? &complex_.ids : parts_[i]->pool;
+    }
 }
 
 template <class Real>
@@ -50,7 +53,7 @@ void SubmeshExecutor<Real>::make_room() {
 
 template <class Real>
 void SubmeshExecutor<Real>::refill(Part& part) {
-    IdPool& pool = part.pool;
+    IdPool& pool = *part.pool;
     const std::size_t least = least_vertices(part);
     if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
         return;
@@ -72,26 +75,15 @@ void SubmeshExecutor<Real>::refill(Part& part) {
 template <class Real>
 void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
     const std::size_t most = 4 * (spare_vertices + part.work.interface.size());
-    give_back(part.pool, most, 2 * most);
-}
-
-template <class Real>
-void SubmeshExecutor<Real>::count_lent() {
-    complex_.lent_vertices = 0;
-    complex_.lent_triangles = 0;
-    for (const auto& part : parts_) {
-        complex_.lent_vertices += static_cast<std::uint32_t>(part->pool.vertices.size());
-        complex_.lent_triangles += static_cast<std::uint32_t>(part->pool.triangles.size());
-    }
+    move_ids(*part.pool, complex_.ids, most, 2 * most);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void SubmeshExecutor<Real>::give_back(IdPool&, std::size_t, std::size_t);             \
+    template void SubmeshExecutor<Real>::take_pools();                                             \
     template void SubmeshExecutor<Real>::give_back_surplus(Part&);                                 \
     template std::size_t SubmeshExecutor<Real>::least_vertices(const Part&);                       \
     template void SubmeshExecutor<Real>::make_room();                                              \
-    template void SubmeshExecutor<Real>::refill(Part&);                                            \
-    template void SubmeshExecutor<Real>::count_lent();
+    template void SubmeshExecutor<Real>::refill(Part&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

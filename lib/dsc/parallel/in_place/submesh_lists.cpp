@@ -19,14 +19,6 @@ Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t vertex) {
     return parts_.empty() ? whole_ : parts_[owner_of(vertex)]->work;
 }
 
-template <class Real>
-void SubmeshExecutor<Real>::forget_ids() {
-    for (const auto& part : parts_) {
-        part->pool.vertices.clear();
-        part->pool.triangles.clear();
-    }
-}
-
 // Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
 // id may be in use elsewhere since it was noted, and its stamp is not to be written from there
 // then. O(their number): they are in the order of stars, so that the submesh of one is nearly
@@ -99,7 +91,6 @@ void SubmeshExecutor<Real>::put_back() {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::size_t SubmeshExecutor<Real>::owner_of(std::uint32_t, std::size_t) const;        \
     template Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t);                            \
-    template void SubmeshExecutor<Real>::forget_ids();                                             \
     template void SubmeshExecutor<Real>::hand_out_resized();                                       \
     template void SubmeshExecutor<Real>::send_home();                                              \
     template void SubmeshExecutor<Real>::put_back();

@@ -10,16 +10,12 @@ namespace dsc {
 /// One submesh: its work, its ids, and where the work that it put off goes.
 template <class Real>
 struct SubmeshExecutor<Real>::Part {
-    Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {
-        pool.may_grow = false;
-        work.submesh.pool = &pool;
-        make_room(least_room);
-    }
+    Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
 
     static constexpr std::size_t least_room = 48; // vertices
 
     Work<Real> work;
-    IdPool pool;
+    IdPool* pool = nullptr;       // in the complex
     const Colour* next = nullptr; // the next colour; null if there is none
     std::size_t next_first = 0;   // number of its first part
 
@@ -39,7 +35,7 @@ struct SubmeshExecutor<Real>::Part {
                 work.deferred.entries);
         reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
                 work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
-        reserve(pool.vertices, pool.triangles);
+        reserve(pool->vertices, pool->triangles);
     }
 
     void forget_aims() {

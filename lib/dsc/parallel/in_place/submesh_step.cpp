@@ -139,6 +139,7 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     progress_ = Progress::under_way;
     whole_.time = time;
     whole_.dt = dt;
+    take_pools(); // a stage may have given the complex other ids
     std::size_t number = 0;
     for (const Colour& colour : partition_.colours) {
         const std::uint32_t epoch = next_epochs();

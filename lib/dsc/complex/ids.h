@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Free ids. They are part of a complex's value: also those that submeshes use while they run in
+// parallel lie in the complex, so that it can be copied, renumbered, replaced or read back at any
+// time. Whoever was lent a pool keeps the generation in which that was, and has none once the
+// complex has another.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace dsc {
+
+/// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
+/// in parallel may not grow them: an edit that finds its pool empty is refused
+/// (`Verdict::out_of_ids`).
+struct IdPool {
+    std::vector<std::uint32_t> vertices;  ///< ids without a vertex
+    std::vector<std::uint32_t> triangles; ///< ids without a triangle
+    bool may_grow = true;                 ///< false: an empty pool refuses
+};
+
+/// All free ids of a complex: its own pool, and those lent to submeshes.
+struct FreeIds : IdPool {
+    /// Of one submesh. Two of them share no cache line, since two threads take from them.
+    struct alignas(64) Lent : IdPool {};
+
+    std::deque<Lent> lent;        ///< addresses stay when pools are added
+    std::uint64_t generation = 1; ///< a pool that was lent in another one is there no more
+
+    FreeIds() = default;
+    /// The same pools, lent to nobody.
+    FreeIds(const FreeIds&) = default;
+    /// No id is left in the other, which begins a new generation.
+    FreeIds(FreeIds&& other) noexcept;
+    /// Begins a new generation.
+    FreeIds& operator=(const FreeIds& other);
+    /// Begins a new generation in both; no id is left in the other.
+    FreeIds& operator=(FreeIds&& other) noexcept;
+    ~FreeIds() = default;
+
+    /// The pool with this number; it and those before it are made if they are not there.
+    [[nodiscard]] IdPool& lend(std::size_t number);
+    /// Takes all ids back into the pool of the complex, and begins a new generation. O(lent ids).
+    void collect();
+    /// No id is free; a new generation. O(pools).
+    void clear();
+    /// Free vertices, lent ones included. O(pools).
+    [[nodiscard]] std::uint32_t vertex_total() const;
+    /// The same for triangles.
+    [[nodiscard]] std::uint32_t triangle_total() const;
+};
+
+/// Moves ids from the end of `from` to `to` until at most so many are left.
+void move_ids(IdPool& from, IdPool& to, std::size_t vertices, std::size_t triangles);
+
+} // namespace dsc
