@@ -45,7 +45,7 @@ def interface(frame):
 
 def triangle_areas(frame):
     a, b, c = (frame.points[frame.triangles[:, k]] for k in range(3))
-    return numpy.cross(b - a, c - a) / 2
+    return numpy.linalg.det(numpy.stack((b - a, c - a), axis=1)) / 2
 
 
 def areas(frame):

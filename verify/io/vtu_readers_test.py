@@ -61,7 +61,7 @@ class Readers(unittest.TestCase):
         near = 1e-12 if own.points.dtype == numpy.float64 else 1e-5
         corners = own.points[own.cells][:, :, :2].astype(float)
         sides = numpy.roll(corners, -1, 1) - corners
-        areas = numpy.cross(sides[:, 0], sides[:, 1])
+        areas = numpy.linalg.det(sides[:, :2])
         self.assertGreater(areas.min(), 0)
         lengths = numpy.sort(numpy.linalg.norm(sides, axis=2))
         least_sine = areas / (lengths[:, 1] * lengths[:, 2])

@@ -52,7 +52,7 @@ class Measures(unittest.TestCase):
         mesh = two_discs()
         corners = mesh.points[mesh.triangles]
         ahead, behind = (np.roll(corners, shift, axis=1) - corners for shift in (-1, 1))
-        angles = np.degrees(np.arctan2(np.cross(ahead, behind), (ahead * behind).sum(axis=2)))
+        angles = np.degrees(np.arctan2(np.linalg.det(np.stack((ahead, behind), axis=2)), (ahead * behind).sum(axis=2)))
         self.assertTrue(np.allclose(angles.min(axis=1), mesh.min_angles))
 
     def test_phases_may_be_numbers_of_numpy(self):

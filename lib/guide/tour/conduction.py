@@ -8,7 +8,7 @@ def conduct(mesh, conductivity):
     """Temperatures between a wall of 1 at x = 0 and one of 0 at x = 1, and the heat that flows."""
     corners = mesh.points[mesh.triangles]
     edges = np.roll(corners, -1, axis=1) - np.roll(corners, 1, axis=1)  # opposite to each corner
-    doubled = np.cross(edges[:, 0], edges[:, 1])
+    doubled = np.linalg.det(edges[:, :2])  # areas
     local = np.einsum("tik,tjk->tij", edges, edges) * (conductivity / doubled / 2)[:, None, None]
     matrix = np.zeros((len(mesh.points),) * 2)  # for more points: scipy.sparse.coo_array
     rows = np.repeat(mesh.triangles, 3, axis=1)
