@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/algorithm/simulation.h"
+
+#include "dsc3/passes/arrival.h"
+#include "dsc3/passes/interface_remeshing.h"
+#include "dsc3/passes/repair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc3 {
+
+namespace {
+
+// A velocity that grows in time may take vertices so much farther than the speed at the beginning
+// of a sub-step promised; beyond, the sub-step is cut again.
+constexpr Real sub_step_slack = 1.25;
+
+const Options& checked(const Options& options) {
+    check_options(options);
+    return options;
+}
+
+} // namespace
+
+Simulation::Simulation(Complex& complex, const Options& options)
+    : complex_(complex), claim_(complex.in_use),
+      options_(checked(options)), state_{complex_, options_}, version_(complex.version) {
+    state_.grow();
+    state_.find_interface();
+}
+
+StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
+    if (!(dt >= 0) || !std::isfinite(dt) || !std::isfinite(time)) {
+        throw InputError({.what = "a step into the past, or to no time",
+                          .where = "Simulation::step",
+                          .value = "time " + dsc::to_text(time) + ", dt " + dsc::to_text(dt),
+                          .allowed = "finite times, dt of 0 or more"});
+    }
+    if (version_ != complex_.version) { // the application has edited the complex
+        state_.grow();
+        state_.find_interface();
+        late_.clear();
+    }
+    StepReport report;
+    state_.work.counts = {};
+    state_.unjammed = 0;
+    Real remaining = dt;
+    while (remaining > 0) {
+        remesh_interface(state_);
+        repair_mesh(state_, options_.quality, Effort::usual);
+        find_origins();
+        const Real part = find_targets(velocity, time + dt - remaining, remaining, report);
+        if (part == 0) {
+            report.gave_up = GiveUp::too_many_sub_steps;
+            break;
+        }
+        move(report);
+        remaining = part < remaining ? remaining - part : 0;
+    }
+    state_.update_interface();
+    report.operations = state_.work.counts;
+    report.unjammed = state_.unjammed;
+    report.interface_vertices = static_cast<std::uint32_t>(state_.interface.size());
+    report.reached = time + (dt - remaining);
+    version_ = complex_.version;
+    return report;
+}
+
+// Where the flow takes the vertices from: for those that are late, where they should have been.
+void Simulation::find_origins() {
+    state_.update_interface();
+    origins_.clear();
+    auto late = late_.begin();
+    for (const std::uint32_t v : state_.interface) {
+        while (late != late_.end() && late->vertex < v) {
+            ++late;
+        }
+        const bool is_late =
+            late != late_.end() && late->vertex == v && late->place == complex_.at(v);
+        origins_.push_back(is_late ? late->target : complex_.at(v));
+    }
+}
+
+Real Simulation::find_targets(const Velocity& velocity, Real time, Real remaining,
+                              StepReport& report) {
+    const std::size_t n = origins_.size();
+    targets_.resize(n);
+    held_.assign(n, 0);
+    auto& first = scratch_.first;
+    first.resize(n);
+    velocity(origins_, time, first);
+    Real fastest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!first[i].allFinite()) {
+            first[i].setZero();
+            held_[i] = 1;
+        }
+        fastest = std::max(fastest, first[i].norm());
+    }
+    const Real limit = options_.sub_step * options_.edge_length;
+    const Real room = static_cast<Real>(options_.max_sub_steps) - report.sub_steps;
+    Real pieces = std::max(std::ceil(remaining * fastest / limit - 1e-9), 1.0);
+    for (; pieces <= room; pieces *= 2) {
+        const Real part = remaining / pieces;
+        const Real error =
+            integrate(options_.integrator, velocity, origins_, time, part, targets_, scratch_);
+        Real farthest = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (const Real way = (targets_[i] - origins_[i]).norm(); std::isfinite(way)) {
+                farthest = std::max(farthest, way);
+            }
+        }
+        const bool is_exact = options_.integrator != Integrator::adaptive ||
+                              error <= options_.tolerance * options_.edge_length;
+        if (farthest <= sub_step_slack * limit && is_exact) {
+            report.error = std::max(report.error, static_cast<double>(error));
+            return part;
+        }
+    }
+    return 0;
+}
+
+void Simulation::move(StepReport& report) {
+    std::uint64_t held = 0;
+    for (std::size_t i = 0; i < origins_.size(); ++i) {
+        if (held_[i] != 0 || !targets_[i].allFinite()) {
+            targets_[i] = complex_.at(state_.interface[i]);
+            ++held;
+        }
+        state_.targets[state_.interface[i]] = targets_[i];
+    }
+    state_.pending = state_.interface;
+    report.held += held;
+    report.moves += state_.pending.size();
+    ++report.sub_steps;
+    report.passes += arrive(state_);
+    report.unreached += state_.pending.size() + held;
+    late_.clear();
+    for (const std::uint32_t v : state_.pending) {
+        late_.push_back({v, complex_.at(v), state_.targets[v]});
+    }
+}
+
+} // namespace dsc3

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The data structure: tets and vertices in contiguous arrays. A neighbour is stored as 4 * tet +
+// opposite corner, so no index is ever searched for. Faces and edges are derived, and so is the
+// interface: the faces between tets of different phases.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "dsc3/base/types.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dsc3 {
+
+/// What is known of a vertex. The first two follow from the tets around it; `validate` checks them.
+enum VertexFlag : std::uint32_t {
+    vertex_interface = 1U, ///< on a face between two phases
+    vertex_boundary = 2U,  ///< on a face of the domain boundary: it does not move
+    vertex_dead = 4U,      ///< the id is free
+    /// Smoothing has nothing to gain here until something in the star changes.
+    vertex_settled = 8U,
+};
+
+/// A tet, by id.
+struct TetRecord {
+    std::array<std::uint32_t, 4> v; ///< positively oriented; v[0] == no_id: the id is free
+    std::array<Corner, 4> n;        ///< the corner on the other side of the face opposite to v[i]
+};
+static_assert(sizeof(TetRecord) == 32);
+
+/// A vertex, by id.
+struct VertexRecord {
+    Point position = Point::Zero();    ///< in units of the domain
+    Corner corner = no_id;             ///< any corner at this vertex
+    std::uint32_t flags = vertex_dead; ///< VertexFlag
+};
+static_assert(sizeof(VertexRecord) == 32);
+
+/// A three-dimensional simplicial complex that is a manifold with boundary. Reading is thread-safe.
+class Complex {
+public:
+    Complex();
+
+    // --- counts -------------------------------------------------------------------------------
+    /// Living vertices; O(1).
+    [[nodiscard]] std::uint32_t vertex_count() const {
+        return vertex_bound() - static_cast<std::uint32_t>(free_vertices.size());
+    }
+    /// Living tets; O(1).
+    [[nodiscard]] std::uint32_t tet_count() const {
+        return tet_bound() - 1 - static_cast<std::uint32_t>(free_tets.size());
+    }
+    /// Ids are below these bounds; some may be free. Tet 0 is the border and never counted.
+    [[nodiscard]] std::uint32_t vertex_bound() const {
+        return static_cast<std::uint32_t>(vertices.size());
+    }
+    /// The same for tets.
+    [[nodiscard]] std::uint32_t tet_bound() const {
+        return static_cast<std::uint32_t>(tets.size());
+    }
+
+    // --- what is alive ------------------------------------------------------------------------
+    [[nodiscard]] bool is_alive(Vertex v) const {
+        return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
+    }
+    [[nodiscard]] bool is_alive(Tet t) const {
+        return t.id != border_tet && t.id < tets.size() && tets[t.id].v[0] != no_id;
+    }
+
+    // --- navigation ---------------------------------------------------------------------------
+    /// The id of the vertex at a corner.
+    [[nodiscard]] std::uint32_t vertex(Corner c) const { return tets[tet_of(c)].v[index_of(c)]; }
+    /// The corner on the other side of the face opposite to `c`; below 4 at the domain boundary.
+    [[nodiscard]] Corner twin(Corner c) const { return tets[tet_of(c)].n[index_of(c)]; }
+    /// The phase of the tet of a corner; `border_phase` for the border's.
+    [[nodiscard]] Phase phase_at(Corner c) const { return phases[tet_of(c)]; }
+    /// The four vertices of a tet, positively oriented.
+    [[nodiscard]] std::array<Vertex, 4> vertices_of(Tet t) const {
+        const auto& v = tets[t.id].v;
+        return {Vertex{v[0]}, Vertex{v[1]}, Vertex{v[2]}, Vertex{v[3]}};
+    }
+    /// The vertices of the face opposite to a corner, counter-clockwise as seen from there.
+    [[nodiscard]] std::array<std::uint32_t, 3> face(Corner c) const {
+        const auto& v = tets[tet_of(c)].v;
+        const auto& i = face_indices[index_of(c)];
+        return {v[i[0]], v[i[1]], v[i[2]]};
+    }
+
+    // --- geometry and phases ------------------------------------------------------------------
+    [[nodiscard]] const Point& position(Vertex v) const { return vertices[v.id].position; }
+    [[nodiscard]] const Point& at(std::uint32_t vertex) const { return vertices[vertex].position; }
+    [[nodiscard]] std::array<Point, 4> positions_of(Tet t) const {
+        const auto& v = tets[t.id].v;
+        return {at(v[0]), at(v[1]), at(v[2]), at(v[3])};
+    }
+    /// Moves a vertex, even if a tet turns over.
+    void set_position(Vertex v, const Point& p) {
+        vertices[v.id].position = p;
+        ++version;
+    }
+    [[nodiscard]] Phase phase(Tet t) const { return phases[t.id]; }
+    /// Changes the phase of a living tet, and whether its vertices are on the interface. O(star).
+    void set_phase(Tet t, Phase phase);
+    /// Whether the vertex is on a face between two phases.
+    [[nodiscard]] bool is_interface(Vertex v) const {
+        return (vertices[v.id].flags & vertex_interface) != 0;
+    }
+    /// Whether the vertex is on the domain boundary.
+    [[nodiscard]] bool is_boundary(Vertex v) const {
+        return (vertices[v.id].flags & vertex_boundary) != 0;
+    }
+
+    // --- ids ----------------------------------------------------------------------------------
+    /// A new vertex, which has no tet yet.
+    std::uint32_t take_vertex(const Point& position, std::uint32_t flags);
+    /// An id for a tet. Throws InputError if there are no more.
+    std::uint32_t take_tet();
+    void give_vertex(std::uint32_t id);
+    void give_tet(std::uint32_t id);
+
+    /// Grows with each edit: tells a simulation that the application has changed something.
+    std::uint64_t version = 0;
+    dsc::InUse in_use; ///< a second simulation at the same time is refused
+
+    // --- the records themselves: for algorithms of the library --------------------------------
+    std::vector<VertexRecord> vertices;       ///< by id
+    std::vector<TetRecord> tets;              ///< by id; 0 is the border
+    std::vector<Phase> phases;                ///< by id of the tet
+    std::vector<std::uint32_t> free_vertices; ///< ids without a vertex
+    std::vector<std::uint32_t> free_tets;     ///< ids without a tet
+};
+
+/// Builds a complex from arrays: `tets` index into `points` and may be oriented either way;
+/// `phases` has one entry a tet. Throws InputError if a coordinate is not finite, an index is out
+/// of range, a tet is degenerate, a face has more than two tets, or a phase is reserved. Whether
+/// the result is an embedding is for `validate` to say. O(n log n). Vertex i of the complex is
+/// point i, tet t the id t + 1.
+[[nodiscard]] Complex make_complex(std::span<const Point> points,
+                                   std::span<const std::array<std::uint32_t, 4>> tets,
+                                   std::span<const Phase> phases);
+
+/// Renumbers vertices and tets along a Morton curve, which makes a step faster by a quarter, and
+/// drops the free ids. All handles become invalid. O(n log n).
+void renumber(Complex& complex);
+
+/// A fingerprint of the mesh: a hash of the living tets by the coordinates of their vertices, bit
+/// by bit, and their phases. Independent of ids, and of which of its corners is a tet's first.
+/// O(n).
+[[nodiscard]] std::uint64_t mesh_hash(const Complex& complex);
+
+} // namespace dsc3

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// What lies around a vertex or an edge. Walks write nothing that others read: which tets they have
+// met is kept in a small table of the walk's own.
+#pragma once
+
+#include "dsc3/complex/complex.h"
+
+#include <array>
+#include <vector>
+
+namespace dsc3 {
+
+/// The ids that a walk has met: a hash table that is emptied in O(1).
+class IdTable {
+public:
+    /// Forgets all ids.
+    void clear();
+    /// Whether the id is new; it is known from now on. O(1).
+    bool enter(std::uint32_t id) {
+        if (2 * ++count_ > slots_.size()) {
+            grow();
+        }
+        std::uint32_t place = (id * 2654435761U) >> shift_;
+        while (slots_[place].epoch == epoch_) {
+            if (slots_[place].id == id) {
+                --count_;
+                return false;
+            }
+            place = (place + 1) & mask();
+        }
+        slots_[place] = {id, epoch_};
+        return true;
+    }
+
+private:
+    struct Slot {
+        std::uint32_t id = 0;
+        std::uint32_t epoch = 0;
+    };
+    [[nodiscard]] std::uint32_t mask() const {
+        return static_cast<std::uint32_t>(slots_.size()) - 1;
+    }
+    void grow();
+
+    std::vector<Slot> slots_ = std::vector<Slot>(256);
+    std::uint32_t shift_ = 24;
+    std::uint32_t epoch_ = 1;
+    std::size_t count_ = 0;
+};
+
+/// The tets around a vertex, by their corners there.
+struct Star {
+    std::uint32_t centre = no_id; ///< the vertex
+    std::vector<Corner> corners; ///< in the order in which a walk from the vertex's corner met them
+    IdTable met;                 ///< scratch
+};
+
+/// Gathers the star of a living vertex. O(degree).
+void gather(const Complex& complex, std::uint32_t vertex, Star& star);
+
+/// An edge, named by a tet that has it and its two vertices.
+struct EdgeAt {
+    std::uint32_t tet = border_tet;
+    std::uint32_t a = no_id;
+    std::uint32_t b = no_id;
+
+    /// Whether there is such an edge.
+    [[nodiscard]] bool is_valid() const { return tet != border_tet; }
+};
+
+/// The index of a vertex in a tet that has it.
+[[nodiscard]] inline std::uint32_t index_in(const TetRecord& tet, std::uint32_t vertex) {
+    return tet.v[0] == vertex ? 0U : tet.v[1] == vertex ? 1U : tet.v[2] == vertex ? 2U : 3U;
+}
+/// Whether a tet has the vertex.
+[[nodiscard]] inline bool has_vertex(const TetRecord& tet, std::uint32_t vertex) {
+    return tet.v[0] == vertex || tet.v[1] == vertex || tet.v[2] == vertex || tet.v[3] == vertex;
+}
+
+/// The edge between two vertices; not valid if there is none. `star` becomes that of a. O(degree).
+[[nodiscard]] EdgeAt find_edge(const Complex& complex, std::uint32_t a, std::uint32_t b,
+                               Star& star);
+
+/// Edges of more tets are left alone.
+inline constexpr std::uint32_t ring_limit = 60;
+
+/// The tets around an edge (a, b): tet i is (a, b, vertices[i], vertices[i + 1]).
+struct Ring {
+    std::uint32_t size = 0; ///< number of tets
+    bool closed = true;     ///< false: the edge lies on the domain boundary
+    /// Its link, counter-clockwise as seen from b: `size` vertices, and one more if it is open.
+    std::array<std::uint32_t, ring_limit + 2> vertices{};
+    std::array<std::uint32_t, ring_limit + 2> tets{};
+
+    /// Vertex i, cyclically.
+    [[nodiscard]] std::uint32_t vertex(std::uint32_t i) const {
+        return vertices[closed && i >= size ? i - size : i];
+    }
+};
+
+/// Gathers the ring of an edge; false if it has more than `ring_limit` tets. O(size).
+[[nodiscard]] bool gather(const Complex& complex, const EdgeAt& edge, Ring& ring);
+
+} // namespace dsc3

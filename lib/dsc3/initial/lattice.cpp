@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/initial/lattice.h"
+
+#include "dsc3/geometry/tet.h"
+#include "dsc3/operations/edge_split.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace dsc3::initial {
+
+namespace {
+
+constexpr Real cubes_along_side = 4;
+
+using Index = std::array<std::uint32_t, 3>;
+
+} // namespace
+
+Complex lattice(const Box& domain) {
+    const Point size = domain.high - domain.low;
+    const Real cube = size.minCoeff() / cubes_along_side;
+    Index n{};
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        n[i] = static_cast<std::uint32_t>(std::max(1.0, std::round(size[i] / cube)));
+    }
+    const auto number = [&](const Index& at) {
+        return (at[2] * (n[1] + 1) + at[1]) * (n[0] + 1) + at[0];
+    };
+    std::vector<Point> points;
+    Index at{};
+    for (at[2] = 0; at[2] <= n[2]; ++at[2]) {
+        for (at[1] = 0; at[1] <= n[1]; ++at[1]) {
+            for (at[0] = 0; at[0] <= n[0]; ++at[0]) {
+                Point p;
+                for (std::uint32_t i = 0; i < 3; ++i) { // the sides lie where they were said to be
+                    p[i] = at[i] == n[i] ? domain.high[i] : domain.low[i] + size[i] * at[i] / n[i];
+                }
+                points.push_back(p);
+            }
+        }
+    }
+    constexpr std::array<Index, 6> orders{
+        {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+    std::vector<std::array<std::uint32_t, 4>> tets;
+    for (at[2] = 0; at[2] < n[2]; ++at[2]) {
+        for (at[1] = 0; at[1] < n[1]; ++at[1]) {
+            for (at[0] = 0; at[0] < n[0]; ++at[0]) {
+                for (const Index& order : orders) { // along the sides from one corner to the other
+                    Index corner = at;
+                    std::array<std::uint32_t, 4> tet{number(corner)};
+                    for (std::uint32_t i = 0; i < 3; ++i) {
+                        ++corner[order[i]];
+                        tet[i + 1] = number(corner);
+                    }
+                    tets.push_back(tet);
+                }
+            }
+        }
+    }
+    return make_complex(points, tets, std::vector<Phase>(tets.size(), exterior_phase));
+}
+
+namespace {
+
+// The longest edge, the same one for all tets that have it: ties are broken by the vertices, so
+// that the longest edges on a way from tet to tet grow, and the way ends.
+EdgeAt longest_edge(const Complex& complex, std::uint32_t t) {
+    std::tuple<Real, std::uint32_t, std::uint32_t> best{-1, 0, 0};
+    const auto& v = complex.tets[t].v;
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        for (std::uint32_t j = i + 1; j < 4; ++j) {
+            const Real square = squared_distance(complex.at(std::min(v[i], v[j])),
+                                                 complex.at(std::max(v[i], v[j])));
+            best = std::max(best, {square, std::min(v[i], v[j]), std::max(v[i], v[j])});
+        }
+    }
+    return {t, std::get<1>(best), std::get<2>(best)};
+}
+
+// Bisects the tet, and before it those around its longest edge whose own is longer.
+void bisect(Complex& complex, Workspace& work, std::uint32_t t) {
+    for (;;) {
+        const EdgeAt edge = longest_edge(complex, t);
+        if (!gather(complex, edge, work.ring)) {
+            throw InvariantError("bisect: too many tets around an edge");
+        }
+        const auto end = work.ring.tets.begin() + work.ring.size;
+        const auto other = std::find_if(work.ring.tets.begin(), end, [&](std::uint32_t o) {
+            const EdgeAt its = longest_edge(complex, o);
+            return its.a != edge.a || its.b != edge.b;
+        });
+        if (other == end) {
+            if (!edge_split(complex, work, edge, midpoint(complex.at(edge.a), complex.at(edge.b)))
+                     .is_valid()) {
+                throw InvariantError("bisect: an edge cannot be split");
+            }
+            return;
+        }
+        bisect(complex, work, *other);
+    }
+}
+
+} // namespace
+
+void refine(Complex& complex, Workspace& work, const LongestEdge& longest) {
+    for (bool is_coarse = true; is_coarse;) {
+        is_coarse = false;
+        const std::uint32_t bound = complex.tet_bound();
+        for (std::uint32_t t = 1; t < bound; ++t) {
+            const EdgeAt edge = longest_edge(complex, t);
+            const Real limit = longest(complex.positions_of(Tet{t}));
+            if (squared_distance(complex.at(edge.a), complex.at(edge.b)) > limit * limit) {
+                bisect(complex, work, t);
+                is_coarse = true;
+            }
+        }
+        work.rewiring.changed.clear();
+    }
+}
+
+} // namespace dsc3::initial

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/motion/integrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc3 {
+
+namespace {
+
+class Stages {
+public:
+    Stages(const Velocity& velocity, std::span<const Point> positions, Real time, Real dt,
+           std::span<Point> targets, IntegratorScratch& scratch)
+        : velocity_(velocity), positions_(positions), time_(time), dt_(dt), targets_(targets),
+          scratch_(scratch) {
+        scratch.stage.resize(positions.size());
+        scratch.slope.resize(positions.size());
+    }
+
+    void euler() { advance(scratch_.first); }
+
+    void midpoint() {
+        evaluate(scratch_.first, 0.5);
+        advance(scratch_.slope);
+    }
+
+    void rk4() {
+        auto& [first, stage, slope, sum] = scratch_;
+        sum.assign(first.begin(), first.end());
+        evaluate(first, 0.5);
+        add_twice();
+        evaluate(slope, 0.5);
+        add_twice();
+        evaluate(slope, 1);
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            targets_[i] = positions_[i] + (dt_ / 6) * (sum[i] + slope[i]);
+        }
+    }
+
+    // The velocity at the target in place of that of the fourth stage is a method of third order.
+    Real adaptive() {
+        rk4();
+        std::swap(scratch_.sum, scratch_.slope); // `sum` is now the fourth stage
+        velocity_(targets_, time_ + dt_, scratch_.slope);
+        Real largest = 0;
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            const Real square = (scratch_.sum[i] - scratch_.slope[i]).squaredNorm();
+            largest = std::isfinite(square) ? std::max(largest, square) : largest;
+        }
+        return dt_ / 6 * std::sqrt(largest);
+    }
+
+private:
+    // The next slope, at positions + share * dt * `along`.
+    void evaluate(const std::vector<Point>& along, Real share) {
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            scratch_.stage[i] = positions_[i] + share * dt_ * along[i];
+        }
+        velocity_(scratch_.stage, time_ + share * dt_, scratch_.slope);
+    }
+    void add_twice() {
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            scratch_.sum[i] += 2 * scratch_.slope[i];
+        }
+    }
+    void advance(const std::vector<Point>& slope) {
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            targets_[i] = positions_[i] + dt_ * slope[i];
+        }
+    }
+
+    const Velocity& velocity_;
+    std::span<const Point> positions_;
+    Real time_;
+    Real dt_;
+    std::span<Point> targets_;
+    IntegratorScratch& scratch_;
+};
+
+} // namespace
+
+Real integrate(Integrator integrator, const Velocity& velocity, std::span<const Point> positions,
+               Real time, Real dt, std::span<Point> targets, IntegratorScratch& scratch) {
+    Stages stages(velocity, positions, time, dt, targets, scratch);
+    switch (integrator) {
+    case Integrator::euler: stages.euler(); break;
+    case Integrator::midpoint: stages.midpoint(); break;
+    case Integrator::rk4: stages.rk4(); break;
+    case Integrator::adaptive: return stages.adaptive();
+    }
+    return 0;
+}
+
+} // namespace dsc3

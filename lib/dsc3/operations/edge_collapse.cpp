@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/operations/edge_collapse.h"
+
+#include "dsc3/geometry/tet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc3 {
+
+namespace {
+
+// A star whose worst tet lies below the floor already may be made better by half as much again,
+// even if that does not reach the floor: such stars would be stuck otherwise.
+constexpr Real escape = 1.5;
+
+bool is_near(const Complex& complex, const Fan& fan, std::uint32_t target, Real deviation) {
+    const Point& p = complex.at(fan.centre);
+    const Point& t = complex.at(target);
+    for (const FanFace& face : fan.faces) {
+        if (face.x == target || face.y == target) {
+            continue;
+        }
+        const Point& x = complex.at(face.x);
+        const Point& y = complex.at(face.y);
+        const Point plane = (x - t).cross(y - t);
+        const Real square = plane.squaredNorm();
+        if (!(square > 0)) {
+            continue;
+        }
+        // Barycentric coordinates of the place on the new face (t, x, y) below p; a little beside
+        // the face will do, since the next one is seen under another angle.
+        const Real of_t = (x - p).cross(y - p).dot(plane) / square;
+        const Real of_x = (y - p).cross(t - p).dot(plane) / square;
+        constexpr Real beside = -0.05;
+        if (of_t >= beside && of_x >= beside && 1 - of_t - of_x >= beside &&
+            std::abs((p - t).dot(plane)) <= deviation * std::sqrt(square)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t target,
+                        const CollapseRules& rules) {
+    Fan& fan = work.fan;
+    gather(complex, work.star, fan);
+    std::array<std::uint32_t, 2> beside{no_id, no_id};
+    for (const FanFace& face : fan.faces) {
+        if (face.x == target) {
+            beside[0] = face.y;
+        } else if (face.y == target) {
+            beside[1] = face.x;
+        }
+    }
+    if (beside[0] == no_id || beside[1] == no_id) {
+        return Verdict::on_interface;
+    }
+    if (fan.size() < 4 || beside[0] == beside[1] || stratum(fan) != Stratum::sheet) {
+        return Verdict::changes_topology;
+    }
+    const Point& from = complex.at(fan.centre);
+    const Point& to = complex.at(target);
+    for (const FanFace& face : fan.faces) {
+        if (face.x == target || face.y == target) {
+            continue;
+        }
+        const Point& x = complex.at(face.x);
+        const Point& y = complex.at(face.y);
+        const Point before = (x - from).cross(y - from);
+        const Point after = (x - to).cross(y - to);
+        if (before.dot(after) < rules.min_cos * before.norm() * after.norm()) {
+            return Verdict::inverts;
+        }
+    }
+    if (std::isfinite(rules.deviation) && !is_near(complex, fan, target, rules.deviation)) {
+        return Verdict::no_gain;
+    }
+    gather(complex, target, work.other);
+    gather(complex, work.other, work.other_fan);
+    if (stratum(work.other_fan) != Stratum::sheet) {
+        return Verdict::changes_topology;
+    }
+    std::uint32_t common = 0;
+    for (const FanFace& face : fan.faces) {
+        common += work.other_fan.has_edge_to(face.x) ? 1U : 0U;
+    }
+    if (common != 2) {
+        return Verdict::changes_topology;
+    }
+    for (const std::uint32_t v : beside) { // they lose a face
+        gather(complex, v, work.other);
+        gather(complex, work.other, work.other_fan);
+        if (work.other_fan.size() < 4) {
+            return Verdict::changes_topology;
+        }
+    }
+    return Verdict::legal;
+}
+
+} // namespace
+
+Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vanishing,
+                            Vertex target, const CollapseRules& rules) {
+    if (!complex.is_alive(vanishing) || !complex.is_alive(target) || vanishing == target) {
+        return Verdict::not_a_simplex;
+    }
+    if (complex.is_boundary(vanishing)) {
+        return Verdict::on_boundary;
+    }
+    const bool on_interface = complex.is_interface(vanishing);
+    if (on_interface && !complex.is_interface(target)) {
+        return Verdict::on_interface;
+    }
+    if (on_interface && complex.is_boundary(target)) {
+        return Verdict::on_boundary; // the interface would come to lie on more of the boundary
+    }
+    gather(complex, vanishing.id, work.star);
+    StarQuality& quality = work.quality;
+    quality.gather(complex, work.star, target.id);
+    if (quality.others() == quality.size()) {
+        return Verdict::not_a_simplex;
+    }
+    const Real before = quality.worst(complex.position(vanishing));
+    const Real needed = before < rules.floor
+                            ? std::max(escape * before, std::min(rules.floor, Real(1e-7)))
+                            : std::max(rules.floor, std::min(1.001 * before + 1e-9, rules.enough));
+    if (!(quality.worst(complex.position(target), quality.others()) > needed)) {
+        return Verdict::inverts;
+    }
+    return on_interface ? interface_guard(complex, work, target.id, rules) : Verdict::legal;
+}
+
+Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Vertex target,
+                      const CollapseRules& rules) {
+    const Verdict verdict = edge_collapse_guard(complex, work, vanishing, target, rules);
+    if (verdict != Verdict::legal) {
+        return verdict;
+    }
+    auto& [faces, old, made, changed, interface] = work.rewiring;
+    old.clear();
+    made.clear();
+    for (const Corner corner : work.star.corners) {
+        const std::uint32_t t = tet_of(corner);
+        old.push_back(t);
+        if (!has_vertex(complex.tets[t], target.id)) {
+            made.push_back({complex.tets[t].v, complex.phases[t]});
+            made.back().v[index_of(corner)] = target.id;
+        }
+    }
+    ++(complex.is_interface(vanishing) ? work.counts.interface_collapses : work.counts.collapses);
+    replace(complex, work.rewiring, old, made);
+    complex.give_vertex(vanishing.id);
+    return Verdict::legal;
+}
+
+} // namespace dsc3

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/operations/edge_split.h"
+
+#include "dsc3/geometry/tet.h"
+
+#include <algorithm>
+
+namespace dsc3 {
+
+Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const Point& place) {
+    Ring& ring = work.ring;
+    if (!gather(complex, edge, ring)) {
+        return {};
+    }
+    auto& made = work.rewiring.made;
+    made.clear();
+    bool on_interface = false;
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        const std::uint32_t t = ring.tets[i];
+        on_interface |= complex.phases[t] != complex.phases[ring.tets[0]];
+        NewTet one{complex.tets[t].v, complex.phases[t]};
+        NewTet two = one;
+        one.v[index_in(complex.tets[t], edge.a)] = no_id;
+        two.v[index_in(complex.tets[t], edge.b)] = no_id;
+        for (const NewTet* tet : {&one, &two}) {
+            std::array<Point, 4> p;
+            for (std::uint32_t k = 0; k < 4; ++k) {
+                p[k] = tet->v[k] == no_id ? place : complex.at(tet->v[k]);
+            }
+            if (!(quality(p[0], p[1], p[2], p[3]) > quality_floor)) {
+                return {};
+            }
+        }
+        made.push_back(one);
+        made.push_back(two);
+    }
+    const std::uint32_t v =
+        complex.take_vertex(place, (on_interface ? vertex_interface : 0U) |
+                                       (ring.closed ? 0U : std::uint32_t{vertex_boundary}));
+    for (NewTet& tet : made) {
+        *std::find(tet.v.begin(), tet.v.end(), no_id) = v;
+    }
+    // On the boundary two faces become four.
+    replace(complex, work.rewiring, {ring.tets.data(), ring.size}, made, ring.closed ? 0 : 6);
+    if (on_interface) {
+        work.rewiring.interface.push_back(v);
+    }
+    ++(on_interface ? work.counts.interface_splits : work.counts.splits);
+    return Vertex{v};
+}
+
+bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place, Real floor) {
+    gather(complex, vertex.id, work.star);
+    work.quality.gather(complex, work.star);
+    const Point from = complex.position(vertex);
+    for (Real fraction = 1; fraction > 0.1; fraction /= 2) {
+        const Point to = fraction == 1 ? place : Point(from + fraction * (place - from));
+        if (work.quality.worst(to) > floor) {
+            complex.set_position(vertex, to);
+            return fraction == 1;
+        }
+    }
+    return false;
+}
+
+} // namespace dsc3

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The arrays that operations work in, so that nothing is allocated in a step; and what they did.
+#pragma once
+
+#include "dsc3/complex/rewire.h"
+#include "dsc3/complex/star.h"
+#include "dsc3/quality/star_quality.h"
+#include "dsc3/queries/fan.h"
+
+#include <array>
+#include <cstdint>
+
+namespace dsc3 {
+
+/// How often each operation was done.
+struct OperationCounts {
+    std::uint64_t splits = 0;              ///< of edges inside a phase
+    std::uint64_t collapses = 0;           ///< of edges inside a phase
+    std::uint64_t edge_removals = 0;       ///< with those that follow from a reassigned sliver
+    std::uint64_t face_flips = 0;          ///< two tets become three
+    std::uint64_t smoothings = 0;          ///< vertices that were moved for quality
+    std::uint64_t interface_splits = 0;    ///< of edges of the interface
+    std::uint64_t interface_collapses = 0; ///< of edges of the interface
+    std::uint64_t interface_flips = 0;     ///< of edges of the interface
+    std::uint64_t reassigned = 0;          ///< flat tets on the interface that changed phase
+};
+
+/// Edges with longer rings are not removed: the work grows with the cube of the length.
+inline constexpr std::uint32_t polygon_limit = 9;
+
+/// Of one thread.
+struct Workspace {
+    Rewiring rewiring;
+    Star star;
+    Star other;
+    Fan fan;
+    Fan other_fan;
+    Ring ring;
+    StarQuality quality;
+    /// The best triangulations of the pieces of a polygon; see edge_removal.cpp.
+    std::array<std::array<Real, polygon_limit + 1>, polygon_limit + 1> polygon_quality{};
+    std::array<std::array<std::uint32_t, polygon_limit + 1>, polygon_limit + 1> polygon_apex{};
+    OperationCounts counts;
+};
+
+/// The quality of a tet.
+[[nodiscard]] Real quality_of(const Complex& complex, std::uint32_t tet);
+
+/// The smallest quality of the tets around an edge. O(size).
+[[nodiscard]] Real worst_quality(const Complex& complex, const Ring& ring);
+
+} // namespace dsc3

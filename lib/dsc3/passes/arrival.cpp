@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/passes/arrival.h"
+
+#include "dsc3/geometry/tet.h"
+#include "dsc3/operations/edge_collapse.h"
+#include "dsc3/passes/movement.h"
+#include "dsc3/passes/repair.h"
+
+#include <algorithm>
+
+namespace dsc3 {
+
+namespace {
+
+constexpr int patient_passes = 2; // then more effort, and lower thresholds
+constexpr int unjam_after = 4;    // passes
+// Tets around a vertex that has not arrived are improved if they are below.
+constexpr Real blocking_quality = 0.35;
+// The thresholds of movement fall by this factor a pass, and no further than that.
+constexpr Real move_factor = 0.3;
+constexpr Real move_least = 1e-5;
+// Of jammed vertices. Lengths are in edge lengths.
+constexpr Real unjam_length = 0.8;
+constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.3};
+
+// The tets in the way of those that have not arrived.
+void list_blocking(PassState& state) {
+    for (const std::uint32_t v : state.pending) {
+        gather(state.complex, v, state.work.star);
+        for (const Corner corner : state.work.star.corners) {
+            if (quality_of(state.complex, tet_of(corner)) < blocking_quality) {
+                state.unfit.push_back(tet_of(corner));
+            }
+        }
+    }
+}
+
+void unjam(PassState& state) {
+    const Real length = unjam_length * state.options.edge_length;
+    state.work.rewiring.changed.clear();
+    std::vector<WantingEdge>& edges = state.too_short;
+    for (const std::uint32_t v : state.pending) {
+        if (!state.complex.is_interface(Vertex{v})) {
+            continue;
+        }
+        gather(state.complex, v, state.work.star);
+        gather(state.complex, state.work.star, state.work.fan);
+        edges.clear();
+        for (const FanFace& face : state.work.fan.faces) {
+            const Real square = squared_distance(state.complex.at(v), state.complex.at(face.x));
+            if (square < length * length) {
+                edges.push_back({square, v, face.x});
+            }
+        }
+        std::sort(edges.begin(), edges.end(), [](const WantingEdge& x, const WantingEdge& y) {
+            return x.square != y.square ? x.square < y.square : x.b < y.b;
+        });
+        for (const WantingEdge& edge : edges) {
+            if (edge_collapse(state.complex, state.work, Vertex{v}, Vertex{edge.b}, unjam_rules) ==
+                Verdict::legal) {
+                ++state.unjammed;
+                break;
+            }
+        }
+    }
+    state.collect_unfit(state.options.quality);
+}
+
+void drop_vanished(PassState& state) {
+    std::erase_if(state.pending,
+                  [&](std::uint32_t v) { return !state.complex.is_interface(Vertex{v}); });
+}
+
+} // namespace
+
+std::uint32_t arrive(PassState& state) {
+    Real move_quality = state.options.move_quality;
+    std::uint32_t passes = 0;
+    for (int pass = 0; pass < state.options.max_passes && !state.pending.empty(); ++pass) {
+        ++passes;
+        move_vertices(state, move_quality);
+        list_blocking(state);
+        const Effort effort = pass < patient_passes ? Effort::usual : Effort::more;
+        repair_mesh(state, state.options.quality, effort);
+        drop_vanished(state);
+        if (pass >= unjam_after && !state.pending.empty()) {
+            unjam(state);
+            repair_mesh(state, state.options.quality, Effort::more);
+            drop_vanished(state);
+        }
+        if (pass >= patient_passes) {
+            move_quality = std::max(move_factor * move_quality, move_least);
+        }
+    }
+    return passes;
+}
+
+} // namespace dsc3

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/passes/repair.h"
+
+#include "dsc3/geometry/tet.h"
+#include "dsc3/operations/edge_collapse.h"
+#include "dsc3/operations/edge_removal.h"
+#include "dsc3/operations/edge_split.h"
+#include "dsc3/operations/interface_flip.h"
+#include "dsc3/operations/smoothing.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dsc3 {
+
+namespace {
+
+// An edge removal must be worth its work.
+constexpr Real removal_gain = 1.02;
+// An edge shorter than this, in edge lengths, is collapsed wherever it is in the order of lengths.
+constexpr Real short_edge = 0.6;
+// A split must be worth the vertex.
+constexpr Real split_gain = 1.05;
+// So many times as many tets are treated as were unfit at first, at most: a bound for what never
+// ends.
+constexpr std::size_t bound_factor = 6;
+constexpr std::size_t bound_least = 100;
+
+class Repair {
+public:
+    Repair(PassState& state, Real quality, Effort effort)
+        : state_(state), complex_(state.complex), work_(state.work), quality_(quality),
+          more_(effort == Effort::more) {}
+
+    void run() {
+        auto& unfit = state_.unfit;
+        work_.rewiring.changed.clear();
+        const std::size_t bound = bound_factor * unfit.size() + bound_least;
+        for (std::size_t k = 0; k < unfit.size() && k < bound; ++k) {
+            const std::uint32_t t = unfit[k];
+            if (complex_.is_alive(Tet{t}) && quality_of(complex_, t) < quality_) {
+                if (improve(t)) {
+                    state_.collect_unfit(quality_);
+                }
+                work_.rewiring.changed.clear();
+            }
+        }
+        unfit.clear();
+        state_.grow();
+    }
+
+private:
+    struct EdgeOfTet {
+        Real square;
+        std::uint32_t a;
+        std::uint32_t b;
+    };
+    using Edges = std::array<EdgeOfTet, 6>;
+
+    // Whether something was done that changed tets.
+    bool improve(std::uint32_t t) {
+        const TetRecord tet = complex_.tets[t];
+        for (const std::uint32_t v : tet.v) {
+            smooth(complex_, work_, Vertex{v}, more_ ? 8 : 5);
+        }
+        if (quality_of(complex_, t) > quality_) {
+            return true;
+        }
+        Edges edges{};
+        std::size_t n = 0;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            for (std::uint32_t j = i + 1; j < 4; ++j) {
+                edges[n++] = {squared_distance(complex_.at(tet.v[i]), complex_.at(tet.v[j])),
+                              tet.v[i], tet.v[j]};
+            }
+        }
+        for (const EdgeOfTet& edge : edges) {
+            if (edge_removal(complex_, work_, {t, edge.a, edge.b}, removal_gain) ==
+                Verdict::legal) {
+                return true;
+            }
+        }
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if (face_flip(complex_, work_, corner_of(t, i)) == Verdict::legal) {
+                return true;
+            }
+        }
+        std::sort(edges.begin(), edges.end(), [](const EdgeOfTet& x, const EdgeOfTet& y) {
+            return x.square != y.square ? x.square < y.square
+                                        : std::pair(x.a, x.b) < std::pair(y.a, y.b);
+        });
+        return collapse(edges) || reassign(t, edges) || split(t, edges);
+    }
+
+    [[nodiscard]] bool is_inside(std::uint32_t v) const {
+        return (complex_.vertices[v].flags & (vertex_interface | vertex_boundary)) == 0;
+    }
+
+    bool collapse(const Edges& edges) {
+        const Real length = short_edge * state_.options.edge_length;
+        const CollapseRules rules{.enough = quality_};
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (i > 2 && !more_ && edges[i].square > length * length) {
+                break;
+            }
+            for (const auto& [a, b] :
+                 {std::pair(edges[i].a, edges[i].b), std::pair(edges[i].b, edges[i].a)}) {
+                if (is_inside(a) &&
+                    edge_collapse(complex_, work_, Vertex{a}, Vertex{b}, rules) == Verdict::legal) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    bool reassign(std::uint32_t t, const Edges& edges) {
+        return std::any_of(edges.begin(), edges.end(), [&](const EdgeOfTet& edge) {
+            return complex_.is_interface(Vertex{edge.a}) && complex_.is_interface(Vertex{edge.b}) &&
+                   reassign_sliver(complex_, work_, {t, edge.a, edge.b}) == Verdict::legal;
+        });
+    }
+
+    // One of the longest edges, if the new vertex can be smoothed to where that helps. Tries that
+    // are taken back cost more than all else, so there are few.
+    bool split(std::uint32_t t, const Edges& edges) {
+        if (quality_of(complex_, t) >= (more_ ? 1.0 : 0.7) * quality_) {
+            return false;
+        }
+        for (std::size_t i = 6; i-- > (more_ ? 4U : 5U);) {
+            const auto& [square, a, b] = edges[i];
+            Ring& ring = work_.ring;
+            if (!gather(complex_, {t, a, b}, ring) || !ring.closed ||
+                std::any_of(ring.tets.begin(), ring.tets.begin() + ring.size, [&](std::uint32_t o) {
+                    return complex_.phases[o] != complex_.phases[t];
+                })) {
+                continue;
+            }
+            const Real before = worst_quality(complex_, ring);
+            const Point middle = midpoint(complex_.at(a), complex_.at(b));
+            const Vertex v = edge_split(complex_, work_, {t, a, b}, middle);
+            if (!v.is_valid()) {
+                continue;
+            }
+            smooth(complex_, work_, v, 12);
+            gather(complex_, v.id, work_.star);
+            work_.quality.gather(complex_, work_.star);
+            if (work_.quality.worst(complex_.position(v)) > split_gain * before + 1e-6) {
+                return true;
+            }
+            complex_.set_position(v, middle);
+            const CollapseRules undo{.floor = 0, .enough = -std::numeric_limits<Real>::infinity()};
+            if (edge_collapse(complex_, work_, v, Vertex{a}, undo) == Verdict::legal) {
+                --work_.counts.splits;
+                --work_.counts.collapses;
+            }
+            work_.rewiring.changed.clear();
+            return false;
+        }
+        return false;
+    }
+
+    PassState& state_;
+    Complex& complex_;
+    Workspace& work_;
+    Real quality_;
+    bool more_;
+};
+
+} // namespace
+
+void repair_mesh(PassState& state, Real quality, Effort effort) {
+    Repair(state, quality, effort).run();
+}
+
+} // namespace dsc3

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/passes/state.h"
+
+#include <algorithm>
+
+namespace dsc3 {
+
+namespace {
+
+// Grows by half as much again.
+template <class Value>
+void grow_to(std::vector<Value>& list, std::size_t size) {
+    if (list.size() < size) {
+        list.resize(size + size / 2 + 64);
+    }
+}
+
+} // namespace
+
+void PassState::grow() {
+    grow_to(targets, complex.vertex_bound());
+    grow_to(moving, complex.vertex_bound());
+    grow_to(tet_stamps, complex.tet_bound());
+}
+
+void PassState::update_interface() {
+    auto& added = work.rewiring.interface;
+    interface.insert(interface.end(), added.begin(), added.end());
+    added.clear();
+    std::erase_if(interface, [&](std::uint32_t v) { return !complex.is_interface(Vertex{v}); });
+    std::sort(interface.begin(), interface.end());
+    interface.erase(std::unique(interface.begin(), interface.end()), interface.end());
+}
+
+void PassState::find_interface() {
+    interface.clear();
+    work.rewiring.interface.clear();
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_interface(Vertex{v})) {
+            interface.push_back(v);
+        }
+    }
+}
+
+void PassState::collect_unfit(Real quality) {
+    for (const std::uint32_t t : work.rewiring.changed) {
+        if (complex.is_alive(Tet{t}) && quality_of(complex, t) < quality) {
+            unfit.push_back(t);
+        }
+    }
+    work.rewiring.changed.clear();
+}
+
+} // namespace dsc3

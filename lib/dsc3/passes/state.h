@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What the passes of a step share: which vertices are on their way, where to, and which tets are to
+// be improved.
+#pragma once
+
+#include "dsc3/operations/workspace.h"
+#include "dsc3/passes/options.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc3 {
+
+/// An edge of the interface that a look at the interface has found wanting.
+struct WantingEdge {
+    Real square; ///< of its length
+    std::uint32_t a;
+    std::uint32_t b;
+};
+
+/// What movement knows of a vertex: one line of the cache.
+struct alignas(64) MovingVertex {
+    std::uint32_t stamp = 0;   ///< of the pass in which it moves
+    std::uint32_t changed = 0; ///< the round of roll-back in which it was last moved back
+    std::uint32_t wanted = 0;  ///< the round in which it was last found to be in the way
+    float fraction = 0;        ///< of its way that it goes
+    Point way = Point::Zero(); ///< from its origin to its target
+    Point origin = Point::Zero();
+};
+
+/// Of one simulation. Arrays by id grow with the complex; nothing else is allocated in a step.
+struct PassState {
+    Complex& complex;
+    const Options& options;
+    Workspace work = {};
+
+    std::vector<std::uint32_t> interface = {}; ///< its vertices, by ascending id
+    std::vector<std::uint32_t> pending = {};   ///< vertices that have not arrived
+    std::vector<Point> targets = {};           ///< by vertex, of those that are on their way
+    std::vector<std::uint32_t> unfit = {};     ///< tets to be improved
+    std::uint64_t unjammed = 0;                ///< interface collapses that let vertices arrive
+
+    // Scratch of interface remeshing.
+    std::vector<WantingEdge> too_short = {};
+    std::vector<WantingEdge> too_long = {};
+    std::vector<WantingEdge> to_flip = {};
+    std::vector<std::uint32_t> around = {};
+    // Scratch of movement.
+    std::vector<MovingVertex> moving = {};      ///< by vertex
+    std::vector<std::uint32_t> tet_stamps = {}; ///< by tet
+    std::vector<std::uint32_t> movers = {};
+    std::vector<std::uint32_t> near = {}; ///< tets with a vertex that moves
+    std::vector<Real> near_quality = {};
+    std::vector<std::uint32_t> listed = {};
+    std::uint32_t pass = 0;
+
+    /// Makes the arrays by id as long as the complex.
+    void grow();
+    /// Drops from `interface` what has left it, and adds what has come. O(interface).
+    void update_interface();
+    /// Finds the interface anew. O(mesh).
+    void find_interface();
+    /// Adds the tets that were written since the last call, if they are below the quality.
+    void collect_unfit(Real quality);
+};
+
+} // namespace dsc3

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Starts and steps in three dimensions, where the answers are known.
+#include "dsc3/dsc3.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dsc3::test::simulation_test {
+namespace {
+
+const Point centre(0.4, 0.4, 0.4);
+constexpr double radius = 0.2;
+
+Complex ball_complex(double h) {
+    return initial_complex({}, {{ball(centre, radius), 1}}, {.edge_length = h});
+}
+
+Velocity uniform(const Point& v) {
+    return [v](std::span<const Point> p, double, std::span<Point> w) {
+        std::fill_n(w.begin(), p.size(), v);
+    };
+}
+
+// How far the vertices of the interface are from the sphere about c, at most.
+double farthest(const Complex& complex, const Simulation& simulation, const Point& c) {
+    double most = 0;
+    for (const std::uint32_t v : simulation.interface()) {
+        most = std::max(most, std::abs((complex.at(v) - c).norm() - radius));
+    }
+    return most;
+}
+
+TEST(Initial3, ABallIsExactAtItsVertices) {
+    double before = 1;
+    for (const double h : {0.1, 0.05}) {
+        Complex complex = ball_complex(h);
+        const ValidationReport report = validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+        ASSERT_EQ(report.surfaces.size(), 2U);
+        EXPECT_EQ(report.surfaces[1].euler_characteristic, 2);
+        EXPECT_GE(mesh_quality(complex).min_dihedral, 15);
+        Simulation simulation(complex, {.edge_length = h});
+        EXPECT_LT(farthest(complex, simulation, centre), 0.02 * h);
+        // The chords: of second order.
+        const double exact = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
+        const double missing = 1 - phase_volume(complex, 1) / exact;
+        EXPECT_GT(missing, 0);
+        EXPECT_LT(missing, 0.3 * before);
+        before = missing;
+    }
+}
+
+TEST(Initial3, ShapesWithinEachOtherAndApart) {
+    const Complex complex = initial_complex({{0, 0, 0}, {2, 1, 1}},
+                                            {{ball({0.5, 0.5, 0.5}, 0.35), 1},
+                                             {ball({0.5, 0.5, 0.5}, 0.15), 2},
+                                             {ball({1.5, 0.5, 0.5}, 0.2), 2}},
+                                            {.edge_length = 0.06});
+    const ValidationReport report = validate(complex);
+    ASSERT_TRUE(report.ok()) << report.problem;
+    ASSERT_EQ(report.surfaces.size(), 3U);
+    EXPECT_EQ(report.surfaces[0].euler_characteristic, 6);
+    EXPECT_EQ(report.surfaces[1].euler_characteristic, 4);
+    EXPECT_EQ(report.surfaces[2].euler_characteristic, 4);
+    const double volume = 4.0 / 3 * std::numbers::pi;
+    EXPECT_NEAR(phase_volume(complex, 1), volume * (0.042875 - 0.003375), 2e-3);
+    EXPECT_NEAR(phase_volume(complex, 2), volume * (0.003375 + 0.008), 2e-3);
+}
+
+TEST(Initial3, RefusesWhatItCannotBegin) {
+    const auto make = [](std::initializer_list<Shape> shapes, double h) {
+        return initial_complex({}, shapes, {.edge_length = h});
+    };
+    const Point middle(0.5, 0.5, 0.5);
+    EXPECT_THROW(make({{ball(middle, 0.6), 1}}, 0.1), InputError);
+    EXPECT_THROW(make({{ball(middle, 1e-4), 1}}, 0.1), InputError);
+    EXPECT_THROW(make({{ball(middle, 0.3), 1}, {ball(middle, 0.29), 2}}, 0.1), InputError);
+    EXPECT_THROW(make({{ball(middle, std::nan("")), 1}}, 0.1), InputError);
+    EXPECT_THROW(make({{Distance(), 1}}, 0.1), InputError);
+    EXPECT_THROW(make({{ball(middle, 0.2), border_phase}}, 0.1), InputError);
+    EXPECT_THROW(make({}, 0), InputError);
+    EXPECT_THROW(make({}, 0.5), InputError);
+    EXPECT_THROW(initial_complex({{0, 0, 0}, {1, 0, 1}}, {}), InputError);
+    EXPECT_NEAR(phase_volume(make({}, 0.25), 0), 1, 1e-14);
+}
+
+TEST(Motion3, IntegratorsHaveTheirOrder) {
+    // A rotation that speeds up in time, about an axis that is none of the coordinates'.
+    const Point axis = Point(1, 2, 2) / 3.0;
+    const Velocity velocity = [&](std::span<const Point> p, double t, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            w[i] = 2 * t * axis.cross(p[i]);
+        }
+    };
+    const std::vector<Point> start{{1, 0, 0}, {0, 1, -1}};
+    const auto error = [&](Integrator integrator, int steps) {
+        std::vector<Point> p = start;
+        std::vector<Point> q(p.size());
+        IntegratorScratch scratch;
+        for (int k = 0; k < steps; ++k) {
+            scratch.first.resize(p.size());
+            const double t = double(k) / steps;
+            velocity(p, t, scratch.first);
+            integrate(integrator, velocity, p, t, 1.0 / steps, q, scratch);
+            p.swap(q);
+        }
+        double most = 0;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            most = std::max(most, (p[i] - Eigen::AngleAxisd(1, axis) * start[i]).norm());
+        }
+        return most;
+    };
+    const auto order = [&](Integrator integrator) {
+        return std::log2(error(integrator, 32) / error(integrator, 64));
+    };
+    EXPECT_NEAR(order(Integrator::euler), 1, 0.2);
+    EXPECT_NEAR(order(Integrator::midpoint), 2, 0.2);
+    EXPECT_NEAR(order(Integrator::rk4), 4, 0.2);
+    EXPECT_EQ(error(Integrator::adaptive, 32), error(Integrator::rk4, 32));
+}
+
+TEST(Motion3, CurvedInsertionLiesOnTheSphere) {
+    const Complex complex = ball_complex(0.1);
+    Workspace work;
+    double straight = 0;
+    double curved = 0;
+    for (const InterfaceFace& face : interface_faces(complex)) {
+        const Point chord = midpoint(complex.at(face.v[0]), complex.at(face.v[1]));
+        const Point place = curved_middle(complex, work, face.v[0], face.v[1]);
+        straight = std::max(straight, std::abs((chord - centre).norm() - radius));
+        curved = std::max(curved, std::abs((place - centre).norm() - radius));
+    }
+    EXPECT_GT(straight, 5e-3);
+    EXPECT_LT(curved, 0.1 * straight);
+}
+
+TEST(Simulation3, ATranslationIsExact) {
+    constexpr double h = 0.05;
+    Complex complex = ball_complex(h);
+    const double volume = phase_volume(complex, 1);
+    Simulation simulation(complex, {.edge_length = h});
+    const Velocity velocity = uniform({0.2, 0.15, 0.1});
+    std::uint64_t unreached = 0;
+    double angle = 180;
+    for (int k = 0; k < 20; ++k) {
+        const StepReport report = simulation.step(velocity, 0.05 * k, 0.05);
+        unreached += report.unreached;
+        EXPECT_EQ(report.gave_up, GiveUp::none);
+        EXPECT_NEAR(report.reached, 0.05 * (k + 1), 1e-15);
+        const ValidationReport valid = validate(complex);
+        ASSERT_TRUE(valid.ok()) << valid.problem;
+        angle = std::min(angle, mesh_quality(complex).min_dihedral);
+    }
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_GE(angle, 7);
+    EXPECT_LT(farthest(complex, simulation, centre + Point(0.2, 0.15, 0.1)), 0.02 * h);
+    EXPECT_NEAR(phase_volume(complex, 1) / volume, 1, 1e-3);
+}
+
+TEST(Simulation3, TheSameInputGivesTheSameBits) {
+    std::array<std::uint64_t, 2> hashes{};
+    for (std::uint64_t& hash : hashes) {
+        Complex complex = ball_complex(0.08);
+        Simulation simulation(complex, {.edge_length = 0.08});
+        for (int k = 0; k < 4; ++k) {
+            simulation.step(uniform({0.5, 0, 0}), 0, 0.1);
+        }
+        hash = mesh_hash(complex);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(Simulation3, ABallGrowsAndItsEdgesAreSplit) {
+    constexpr double h = 0.05;
+    Complex complex = initial_complex({}, {{ball({0.5, 0.5, 0.5}, 0.15), 1}}, {.edge_length = h});
+    Simulation simulation(complex, {.edge_length = h});
+    const std::size_t before = simulation.interface().size();
+    const Velocity growth = [](std::span<const Point> p, double, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            w[i] = 0.1 * (p[i] - Point(0.5, 0.5, 0.5)).normalized();
+        }
+    };
+    OperationCounts counts;
+    for (int k = 0; k < 10; ++k) {
+        const StepReport report = simulation.step(growth, 0, 0.1);
+        EXPECT_EQ(report.unreached, 0U);
+        counts.interface_splits += report.operations.interface_splits;
+        ASSERT_TRUE(validate(complex).ok()) << validate(complex).problem;
+    }
+    EXPECT_GT(counts.interface_splits, 50U);
+    EXPECT_EQ(simulation.interface().size(), before + counts.interface_splits);
+    double most = 0;
+    for (const std::uint32_t v : simulation.interface()) {
+        most = std::max(most, std::abs((complex.at(v) - Point(0.5, 0.5, 0.5)).norm() - 0.25));
+    }
+    EXPECT_LT(most, 0.02 * h);
+}
+
+TEST(Simulation3, ANonFiniteVelocityHoldsItsVertex) {
+    Complex complex = ball_complex(0.08);
+    Simulation simulation(complex, {.edge_length = 0.08});
+    const std::uint32_t held = simulation.interface().front();
+    const Point place = complex.at(held);
+    const Velocity velocity = [&](std::span<const Point> p, double, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            w[i] = {0.01, 0, p[i] == place ? std::numeric_limits<double>::quiet_NaN() : 0};
+        }
+    };
+    const StepReport report = simulation.step(velocity, 0, 0.1);
+    EXPECT_EQ(report.held, 1U);
+    EXPECT_EQ(report.unreached, 1U);
+    EXPECT_EQ(complex.at(held), place);
+    EXPECT_TRUE(validate(complex).ok());
+}
+
+TEST(Simulation3, EditsBetweenStepsAreTakenAccountOf) {
+    Complex complex = ball_complex(0.08);
+    Simulation simulation(complex, {.edge_length = 0.08});
+    simulation.step(uniform({0.1, 0, 0}), 0, 0.1);
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        if (complex.is_alive(Tet{t}) && complex.phase(Tet{t}) == 1) {
+            complex.set_phase(Tet{t}, 0);
+        }
+    }
+    EXPECT_EQ(simulation.step(uniform({0.1, 0, 0}), 0.1, 0.1).interface_vertices, 0U);
+    EXPECT_TRUE(validate(complex).ok());
+}
+
+TEST(Simulation3, RefusesWrongArguments) {
+    Complex complex = ball_complex(0.1);
+    EXPECT_THROW(Simulation(complex, {}), InputError);
+    EXPECT_THROW(Simulation(complex, {.edge_length = 0.1, .quality = 0.9}), InputError);
+    EXPECT_THROW(Simulation(complex, {.edge_length = 0.1, .layers = -1}), InputError);
+    Simulation simulation(complex, {.edge_length = 0.1});
+    EXPECT_THROW(Simulation(complex, {.edge_length = 0.1}), InputError);
+    EXPECT_THROW(simulation.step(uniform({0, 0, 0}), 0, -1), InputError);
+    EXPECT_THROW(simulation.step(uniform({0, 0, 0}), std::nan(""), 1), InputError);
+    EXPECT_EQ(simulation.step(uniform({0, 0, 0}), 0, 0).sub_steps, 0U);
+    EXPECT_EQ(simulation.step(uniform({1e9, 0, 0}), 0, 1).gave_up, GiveUp::too_many_sub_steps);
+}
+
+} // namespace
+} // namespace dsc3::test::simulation_test
