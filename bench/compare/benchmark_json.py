@@ -14,10 +14,11 @@ def entries(name, times_us):
 
 def replace(path, data):
     """Writes JSON. The file exists as a whole or not at all."""
-    with open(path + ".part", "w", encoding="utf-8") as stream:
+    part = f"{path}.{os.getpid()}.part"  # not that of another comparison
+    with open(part, "w", encoding="utf-8") as stream:
         json.dump(data, stream, indent=1)
         stream.write("\n")
-    os.replace(path + ".part", path)
+    os.replace(part, path)
 
 
 def write(path, executable, series, context):

@@ -6,6 +6,8 @@
 #include "suites.h"
 
 #include "dsc/base/error.h"
+#include "scenes/command_line/standard_output.h"
+#include "scenes/file/text_file.h"
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +15,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc::bench {
 
@@ -60,6 +63,18 @@ std::string suite_file(int argc, char** argv) {
     return file.value_or(DSC_DEFAULT_SUITE);
 }
 
+// Of the option that Google Benchmark takes off the command line.
+std::vector<scenes::NamedFile> result_file(int argc, char** argv) {
+    const std::string option = "--benchmark_out";
+    std::vector<scenes::NamedFile> files;
+    for (int i = 1; i < argc; ++i) {
+        if (const std::string argument = argv[i]; argument.starts_with(option + '=')) {
+            files.assign(1, {option, argument.substr(option.size() + 1)});
+        }
+    }
+    return files;
+}
+
 void register_all(const Suite& suite) {
     for (const Row& row : suite.rows) {
         row.measure == Measure::run ? register_run(row) : register_step(row);
@@ -73,8 +88,11 @@ void register_all(const Suite& suite) {
 }
 
 int run(int argc, char** argv) {
+    const std::vector<scenes::NamedFile> results = result_file(argc, argv);
     benchmark::Initialize(&argc, argv, print_help);
-    const Suite suite = read_suite(suite_file(argc, argv));
+    const std::string file = suite_file(argc, argv);
+    const Suite suite = read_suite(file);
+    scenes::check_outputs(results, {{"--suite", file}});
     add_context();
     register_all(suite);
     if (suite.has_results && suite.rows.empty() && suite.comparisons.empty() &&
@@ -105,7 +123,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return dsc::bench::run(argc, argv);
+        return dsc::scenes::with_output_written("dsc_bench", dsc::bench::run(argc, argv));
     } catch (const dsc::InputError& error) {
         std::fprintf(stderr, "dsc_bench: %s.\n", error.what());
         return 2;

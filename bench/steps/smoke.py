@@ -254,6 +254,14 @@ set = { steps = 3 }
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("10 measurements were refused", done.stderr)
 
+    def test_results_do_not_replace_the_suite(self):
+        suite = self.write("suite.toml", SUITE)
+        done = run("--suite", suite, f"--benchmark_out={suite}")
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
+        self.assertIn("--benchmark_out: the same file as --suite", done.stderr)
+        with open(suite, encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), SUITE)
+
     def test_bad_suites_are_refused_with_a_sentence(self):
         for text, words in BAD_SUITES.items():
             with self.subTest(suite=text):

@@ -9,6 +9,7 @@ import math
 import os
 import statistics
 import textwrap
+import uuid
 from dataclasses import dataclass, field
 from itertools import accumulate
 
@@ -282,12 +283,18 @@ def for_page(png, is_mesh):
 
 
 def write_bytes(path, data):
-    """Writes to another name and renames, so that nobody ever reads half a file."""
-    part = path + ".part"
-    try:
-        with open(part, "wb") as stream:
+    """Writes to a name of its own and renames, so that nobody ever reads half a file: where links
+    lead. A device or a pipe is written to."""
+    if os.path.exists(path) and not os.path.isfile(path):
+        with open(path, "wb") as stream:
             stream.write(data)
-        os.replace(part, path)
+        return
+    place = os.path.realpath(path)
+    part = os.path.join(os.path.dirname(place), f"{uuid.uuid4().hex}.part")
+    try:
+        with open(part, "xb") as stream:
+            stream.write(data)
+        os.replace(part, place)
     except OSError:
         if os.path.exists(part):
             os.remove(part)

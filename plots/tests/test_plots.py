@@ -29,6 +29,19 @@ class Plots(Case):
                 result[name] = stream.read()
         return result
 
+    def test_links_stay_and_pipes_are_written_to(self):
+        os.symlink("target", self.path("link"))
+        os.mkfifo(self.path("pipe"))
+        reader = os.open(self.path("pipe"), os.O_RDWR)  # waits for nobody
+        self.addCleanup(os.close, reader)
+        for name in ("link", "pipe"):
+            style.write_bytes(self.path(name), b"data")
+        self.assertTrue(os.path.islink(self.path("link")))
+        with open(self.path("target"), "rb") as stream:
+            self.assertEqual(stream.read(), b"data")
+        self.assertFalse(os.path.isfile(self.path("pipe")))
+        self.assertEqual(os.read(reader, 4), b"data")
+
     def test_everything_is_drawn_and_embedded(self):
         status, errors, page = self.run_report(*self.inputs(), "--formats", "png")
         self.assertEqual((status, errors), (0, ""))

@@ -178,7 +178,13 @@ int run(const Arguments& arguments) {
     const std::filesystem::path folder(arguments.out);
     std::error_code ignored; // what cannot be written is refused
     std::filesystem::create_directories(folder, ignored);
-    dsc::scenes::check_writable((folder / "verify.json").string(), "--out");
+    std::vector<dsc::scenes::NamedFile> inputs;
+    for (const std::string& suite : chosen.suites) {
+        inputs.push_back({"a suite", suite});
+    }
+    const std::string json = (folder / "verify.json").string();
+    const std::string junit = (folder / "verify.xml").string();
+    dsc::scenes::check_outputs({{"--out", json}, {"--out", junit}}, inputs);
 
     print_heading(std::cout);
     Runs runs(configurations_of(tasks), arguments.jobs);
@@ -194,9 +200,8 @@ int run(const Arguments& arguments) {
     }
     std::cout << rows.size() << " limits, " << failed << " broken\n";
     try {
-        dsc::scenes::write_file((folder / "verify.json").string(),
-                                to_json(rows, chosen.suites, chosen.cases, runs));
-        dsc::scenes::write_file((folder / "verify.xml").string(), to_junit(rows));
+        dsc::scenes::write_file(json, to_json(rows, chosen.suites, chosen.cases, runs));
+        dsc::scenes::write_file(junit, to_junit(rows));
     } catch (const dsc::FileError& error) {
         std::cerr << "dsc_verify: " << error.what() << '\n';
         return 1; // not 2: everything was run
@@ -246,10 +251,10 @@ void check_proposal(const Proposal& proposal, bool is_of_suite) {
         if (std::filesystem::exists(proposal.out)) {
             refuse("there is such a file", "--out", "another name");
         }
-        dsc::scenes::check_writable(proposal.out, "--out");
+        dsc::scenes::check_outputs({{"--out", proposal.out}});
     }
     if (proposal.update) {
-        dsc::scenes::check_writable(proposal.what, "--update");
+        dsc::scenes::check_outputs({{"--update", proposal.what}});
     }
 }
 

@@ -116,7 +116,7 @@ Row run_case(const HardCase& one) {
 int run(const Arguments& arguments) {
     const auto selected = select(arguments);
     if (!arguments.json.empty()) {
-        dsc::scenes::check_writable(arguments.json, "--json");
+        dsc::scenes::check_outputs({{"--json", arguments.json}});
     }
     std::vector<Row> rows;
     for (const HardCase* one : selected) {

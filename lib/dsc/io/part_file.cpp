@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include <fcntl.h>
@@ -14,17 +15,73 @@ namespace dsc {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::size_t block_size = std::size_t{1} << 16U;
+constexpr int most_links = 40;              ///< the kernel's own limit
+constexpr int most_parts = 10000;           ///< of one file at a time
+constexpr std::size_t longest_prefix = 100; ///< bytes: no file system allows fewer than 143
+
+// Links in this folder are open files of this process: to open them begins at their start, or
+// fails.
+bool is_descriptor(const fs::path& link) {
+    std::error_code error;
+    const fs::path all = fs::canonical("/proc/self/fd", error);
+    return !error && fs::canonical(link.parent_path(), error) == all;
+}
+
+fs::path folder_of(const fs::path& file) { return file.parent_path() / "."; }
 
 } // namespace
 
+Destination destination_of(const std::string& path) {
+    fs::path place(path.substr(0, path.find('\0'))); // all that the kernel would read
+    std::error_code error;
+    const fs::file_status status = fs::status(place, error);
+    if (fs::is_directory(status)) {
+        throw FileError("cannot be written", path, EISDIR);
+    }
+    if (status.type() == fs::file_type::none || place.native() != path || !place.has_filename()) {
+        throw FileError("cannot be written", path.empty() ? "''" : place.string(),
+                        error ? error.value() : EINVAL);
+    }
+    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
+        if (is_descriptor(place)) {
+            return {place.string(), true, std::stoi(place.filename())};
+        }
+        place = place.parent_path() / fs::read_symlink(place, error);
+    }
+    return {place.string(), fs::exists(status) && !fs::is_regular_file(status)};
+}
+
 // POSIX calls rather than std::ofstream: they say why they failed, and close() reports data
 // lost to a full disk or a quota.
-PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
+PartFile::PartFile(std::string path) : path_(std::move(path)), place_(destination_of(path_)) {
     buffer_.reserve(block_size + 1024);
-    descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (place_.descriptor >= 0) {
+        descriptor_ = ::fcntl(place_.descriptor, F_DUPFD_CLOEXEC, 0);
+    } else if (place_.is_stream) {
+        descriptor_ = ::open(place_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    } else {
+        make_part();
+    }
     if (descriptor_ < 0) {
         throw FileError("cannot be written", path_, errno);
+    }
+}
+
+// A file that may not be written is not replaced either.
+void PartFile::make_part() {
+    const fs::path place(place_.path);
+    if (::access(place.c_str(), W_OK) != 0 && errno != ENOENT) {
+        return;
+    }
+    const std::string name = place.filename();
+    const fs::path prefix = folder_of(place) / (name.size() > longest_prefix ? "dsc" : name);
+    const std::string process = "." + std::to_string(::getpid()) + "-";
+    for (int i = 0; i < most_parts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
+        part_ = prefix.string() + process + std::to_string(i) + ".part";
+        descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }
 }
 
@@ -71,7 +128,7 @@ PartFile& PartFile::operator<<(char c) { return *this << std::string_view(&c, 1)
 
 void PartFile::commit(Until until) {
     write_block();
-    // Some file systems cannot sync (EINVAL): the rename alone must do.
+    // Some file systems, and streams, cannot sync (EINVAL): the rename alone must do.
     if (until == Until::on_disk && ::fsync(descriptor_) != 0 && errno != EINVAL) {
         fail("writing failed", errno);
     }
@@ -80,8 +137,19 @@ void PartFile::commit(Until until) {
     if (closed != 0) {
         fail("closing failed", errno);
     }
-    if (std::rename(part_.c_str(), path_.c_str()) != 0) {
+    if (place_.is_stream) {
+        return;
+    }
+    if (std::rename(part_.c_str(), place_.path.c_str()) != 0) {
         fail("renaming failed", errno);
+    }
+    part_.clear(); // its name may be another's by now
+    if (until == Until::on_disk) {
+        descriptor_ = ::open(folder_of(place_.path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL) {
+            fail("syncing its folder failed", errno);
+        }
+        ::close(std::exchange(descriptor_, -1));
     }
 }
 

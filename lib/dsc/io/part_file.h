@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that exist as a whole or not at all: written as ".part" beside their place, then renamed.
+// Atomic file writes: into a part file of its own beside the place, which is then renamed.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -13,12 +13,23 @@
 
 namespace dsc {
 
-/// Collects text and writes it in blocks. Numbers are written the same way under every locale.
-/// Throws FileError where the folder is missing or unwritable, or the disk is full; a file that is
-/// not committed is removed.
+/// Where bytes that are written to a path end up.
+struct Destination {
+    std::string path;       ///< after all symbolic links, also of a file that is yet to be made
+    bool is_stream = false; ///< a device, a pipe or an open descriptor: written to, never replaced
+    int descriptor = -1;    ///< of this process, to which for instance /dev/stdout leads
+};
+
+/// Throws FileError for a folder, or where links lead round in a circle.
+[[nodiscard]] Destination destination_of(const std::string& path);
+
+/// Collects text and writes it in blocks. Numbers are written the same way under every locale. A
+/// file appears at `commit`; without it, nothing is left. Of several writers of one path the last
+/// to commit wins. Streams are written to block by block.
+/// Throws FileError where the folder is missing or unwritable, or the disk is full.
 class PartFile : public Unmovable {
 public:
-    /// Opens `path` with ".part" added. Throws FileError.
+    /// Makes the part file. Throws FileError.
     explicit PartFile(std::string path);
     ~PartFile();
 
@@ -51,11 +62,13 @@ private:
         const auto end = std::to_chars(text.data(), text.data() + text.size(), arguments...).ptr;
         return *this << std::string_view(text.data(), static_cast<std::size_t>(end - text.data()));
     }
+    void make_part();
     void write_block();
     [[noreturn]] void fail(const std::string& what, int error);
 
     std::string path_;
-    std::string part_;
+    Destination place_;
+    std::string part_; ///< empty for a stream
     std::string buffer_;
     int descriptor_ = -1;
 };

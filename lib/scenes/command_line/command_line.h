@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/base/error.h"
+#include "scenes/command_line/standard_output.h"
 #include "scenes/file/excerpt.h"
 
 #include <CLI/CLI.hpp>
@@ -23,7 +24,8 @@ using Commands = std::vector<std::pair<std::string, std::function<int()>>>;
 
 /// The result of `main`. `app` has these commands with their options, and parses them before one of
 /// them is called. Exit: what it returns; 0 after --help; 2 for bad usage and InputError, with a
-/// sentence on stderr that begins with the program's name; 1 for any other exception.
+/// sentence on stderr that begins with the program's name; 1 for any other exception, and if
+/// standard output cannot be written.
 inline int call_command(CLI::App& app, const std::string& program, int argc,
                         const char* const* argv, const Commands& commands) {
     const auto complain = [&](const std::string& sentence, int code) {
@@ -42,13 +44,13 @@ inline int call_command(CLI::App& app, const std::string& program, int argc,
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return error.get_exit_code() == 0 ? app.exit(error) // --help
+        return error.get_exit_code() == 0 ? with_output_written(program, app.exit(error)) // --help
                                           : complain(error.what() + help, 2);
     }
     try {
         for (const auto& [name, call] : commands) {
             if (app.got_subcommand(name)) {
-                return call();
+                return with_output_written(program, call());
             }
         }
         return 2; // CLI11 has seen to it that there is one

@@ -30,10 +30,21 @@ namespace {
 
 std::atomic<bool> interrupted{false};
 
-// A second signal ends the program at once.
+// A second signal ends the program at once; but a terminal that closes often sends two SIGHUP.
 void on_interrupt(int number) {
     interrupted.store(true);
-    std::signal(number, SIG_DFL);
+    if (number != SIGHUP) {
+        std::signal(number, SIG_DFL);
+    }
+}
+
+// What is ignored, as under nohup, stays so.
+void heed_interrupts() {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        if (std::signal(number, on_interrupt) == SIG_IGN) {
+            std::signal(number, SIG_IGN);
+        }
+    }
 }
 
 struct Arguments {
@@ -187,15 +198,38 @@ void check_usage(const Arguments& arguments) {
         refuse("nothing is written in between", "--every", "it alone",
                "with --series, --frames or --checkpoint");
     }
+}
+
+// No file that the run writes may be another that it writes or reads; but it may go on in its own
+// checkpoint.
+void check_files(const Arguments& arguments, const RunOrigin& origin, const SceneFile& file) {
+    std::vector<NamedFile> outputs;
     for (const auto& [path, option] : {std::pair(&arguments.json, "--json"),
                                        {&arguments.events, "--events"},
                                        {&arguments.series, "--series"},
                                        {&arguments.edits, "--edits"},
                                        {&arguments.checkpoint, "--checkpoint"}}) {
         if (*path) {
-            check_writable(**path, option);
+            outputs.push_back({option, **path});
         }
     }
+    std::vector<NamedFile> others;
+    if (is_scene_file(origin.scene)) {
+        others.push_back({"the scene", origin.scene});
+    }
+    for (const std::string& outline : file.outlines) {
+        others.push_back({"a file of the scene", outline});
+    }
+    if (const std::filesystem::path folder(arguments.run.frames.folder); !folder.empty()) {
+        others.push_back({"--frames", (folder / "").parent_path().string()});
+    }
+    std::error_code error; // of a checkpoint that does not exist
+    if (arguments.resume &&
+        !(arguments.checkpoint &&
+          std::filesystem::equivalent(*arguments.resume, *arguments.checkpoint, error))) {
+        others.push_back({"--resume", *arguments.resume});
+    }
+    check_outputs(outputs, others);
 }
 
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
@@ -211,6 +245,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     origin.commit = commit();
     origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
     const SceneFile file = scene_of(origin, scenes);
+    check_files(arguments, origin, file);
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
@@ -229,8 +264,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
         options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
     }
     options.resume = checkpoint ? &*checkpoint : nullptr;
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
+    heed_interrupts();
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
 
     const RunResult result = run_scene(scene, parameters, options);
@@ -289,9 +323,13 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                      "at most so many threads: fewer where more bring nothing (default 1)")
         ->check(CLI::Range(1, 1024));
     auto* frames =
-        run_command->add_option("--frames", arguments.run.frames.folder,
-                                "folder for .vtu and .pvd files: about nine frames, unless --every "
-                                "or --at says which");
+        run_command
+            ->add_option("--frames", arguments.run.frames.folder,
+                         "folder for .vtu and .pvd files: about nine frames, unless --every "
+                         "or --at says which")
+            ->check([](const std::string& folder) {
+                return folder.empty() ? "got ''; allowed: a folder" : "";
+            });
     run_command
         ->add_option("--at", arguments.run.frames.times,
                      "times of frames, with commas between them: each is written after the first "

@@ -225,6 +225,13 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
                           .allowed = "the length of edges, such as h = 0.02"});
     }
     read_geometry(top, parts);
+    for (const char* kind : {"shape", "curve"}) {
+        for (const TableReader& source : top.tables(kind)) {
+            if (source.has("file")) {
+                file.outlines.push_back((path.parent_path() / source.text("file")).string());
+            }
+        }
+    }
     read_motion(top, parts);
     read_upkeep(top, parts);
     if (top.has("exact")) {

@@ -42,6 +42,7 @@ namespace dsc::scenes {
 struct SceneFile {
     Scene scene;
     std::vector<FigureLimit> limits{};
+    std::vector<std::string> outlines{}; ///< the files that it names
 };
 
 /// Reads a scene and the files that it names, relative to its own folder. Nothing is written, and

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/io/part_file.h"
+#include "scenes/file/excerpt.h"
 
 #include <unistd.h>
 
@@ -36,18 +37,50 @@ std::string read_text_file(const std::filesystem::path& path) {
     return text.str();
 }
 
-// A device or a pipe is refused, because the file that is written takes its place.
-void check_writable(const std::string& path, const std::string& where) {
-    const std::filesystem::path file(path);
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-    std::error_code error;
-    if (path.empty() || !std::filesystem::is_directory(folder, error) ||
-        (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) ||
-        access(folder.c_str(), W_OK) != 0) {
-        throw InputError({.what = "cannot write this file",
-                          .where = where,
-                          .value = "'" + path + "'",
-                          .allowed = "a file in a folder that exists, with permission to write"});
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error; // of a file that does not exist
+    if (fs::exists(a, error) || fs::exists(b, error)) {
+        return fs::equivalent(a, b, error);
+    }
+    return a.filename() == b.filename() &&
+           fs::equivalent(a.parent_path() / ".", b.parent_path() / ".", error);
+}
+
+} // namespace
+
+void check_outputs(const std::vector<NamedFile>& outputs, std::vector<NamedFile> others) {
+    others.push_back({"standard output", "/proc/self/fd/1"});
+    others.push_back({"the error stream", "/proc/self/fd/2"});
+    for (const NamedFile& output : outputs) {
+        const auto refuse = [&](const std::string& what, const char* allowed) {
+            throw InputError({.what = what,
+                              .where = output.option,
+                              .value = quoted_excerpt(output.path),
+                              .allowed = allowed});
+        };
+        Destination place;
+        try {
+            place = destination_of(output.path);
+            if (!place.is_stream) {
+                PartFile unused(output.path);
+            } else if (access(place.path.c_str(), W_OK) != 0) { // a pipe would wait for a reader
+                throw FileError("cannot be written", output.path, errno);
+            }
+        } catch (const FileError& error) {
+            refuse("cannot write this file (" + std::generic_category().message(error.error()) +
+                       ")",
+                   "a file in a folder that exists, with permission to write");
+        }
+        for (const NamedFile& other : others) {
+            if (!place.is_stream && is_same_file(place.path, other.path)) {
+                refuse("the same file as " + other.option, "a file of its own");
+            }
+        }
+        others.push_back({output.option, place.path});
     }
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Small text files as a whole: scene files and what they name, and results, which are written
-// completely or not at all: to a temporary file, which is then renamed.
+// Small text files as a whole: scene files and what they name, and results; and a check of all
+// files that a program is to write, before it begins.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace dsc::scenes {
 
@@ -13,9 +14,18 @@ inline constexpr std::uintmax_t largest_text_file = 64'000'000; ///< bytes
 /// Throws FileError for what is not a readable regular file (a folder, a pipe, a device), or is
 /// larger than that.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
-/// Throws InputError, naming the option `where`, if a file cannot be created at this path: called
-/// before a run begins.
-void check_writable(const std::string& path, const std::string& where);
+
+/// A file that a program reads or writes, and the option that names it.
+struct NamedFile {
+    std::string option;
+    std::string path;
+};
+
+/// Called before a run begins. Throws InputError for an output that cannot be written, or that is
+/// the same file as another output, one of the `others`, or one to which a standard stream goes.
+/// Devices and pipes may be named more than once.
+void check_outputs(const std::vector<NamedFile>& outputs, std::vector<NamedFile> others = {});
+
 /// Throws FileError if the disk is full or the folder does not allow writing.
 void write_file(const std::string& path, const std::string& content);
 

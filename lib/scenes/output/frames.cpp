@@ -77,15 +77,13 @@ Frames::Frames(FramePlan plan, std::string name, const Setup& setup)
         return;
     }
     check_times(plan_, setup);
-    std::error_code error;
-    std::filesystem::create_directories(plan_.folder, error);
-    if (error || access(plan_.folder.c_str(), W_OK) != 0) {
-        throw InputError(
-            {.what = "cannot write to this folder",
-             .where = "--frames",
-             .value = "'" + plan_.folder + "'",
-             .allowed = "a folder that exists or can be made, with permission to write"});
-    }
+    std::error_code ignored; // what cannot be written is refused
+    std::filesystem::create_directories(plan_.folder, ignored);
+    check_outputs({{"--frames", collection()}});
+}
+
+std::string Frames::collection() const {
+    return (std::filesystem::path(plan_.folder) / (name_ + ".pvd")).string();
 }
 
 std::string Frames::path_of(int step) const {
@@ -111,9 +109,8 @@ void Frames::finish(std::span<const Event> events) const {
     if (plan_.folder.empty()) {
         return;
     }
-    const std::filesystem::path path = std::filesystem::path(plan_.folder) / name_;
-    write_collection(entries_, path.string() + ".pvd");
-    const std::string list = path.string() + ".events.jsonl";
+    write_collection(entries_, collection());
+    const auto list = std::filesystem::path(collection()).replace_extension(".events.jsonl");
     if (events.empty()) {
         std::filesystem::remove(list); // of an earlier run
     } else {

@@ -55,6 +55,8 @@ public:
     void archive(Archive& archive);
 
 private:
+    [[nodiscard]] std::string collection() const; ///< its path
+
     FramePlan plan_;
     const Setup& setup_;
     std::string name_;
