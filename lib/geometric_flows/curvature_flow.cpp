@@ -32,11 +32,11 @@ std::string name_of(const PairCurvature& pair) {
 
 void check_forces(double tension, double mobility, const std::string& whose) {
     if (!std::isfinite(tension) || tension < 0) {
-        refuse_forces("tension of " + whose + " is not an energy", std::to_string(tension),
+        refuse_forces("tension of " + whose + " is not an energy", to_text(tension),
                       "finite and 0 or more");
     }
     if (!std::isfinite(mobility) || !(mobility > 0)) {
-        refuse_forces("mobility of " + whose + " is out of range", std::to_string(mobility),
+        refuse_forces("mobility of " + whose + " is out of range", to_text(mobility),
                       "finite and above 0");
     }
 }
@@ -60,8 +60,7 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
     for (const WallEnergy& wall : options.walls) {
         if (wall.phase == border_phase || !std::isfinite(wall.energy)) {
             refuse_forces("not an energy of the wall under phase " + std::to_string(wall.phase),
-                          std::to_string(wall.energy),
-                          "a finite energy under a phase of the domain");
+                          to_text(wall.energy), "a finite energy under a phase of the domain");
         }
     }
     const auto wall_twice = std::ranges::adjacent_find(options.walls, {}, &WallEnergy::phase);
@@ -76,8 +75,7 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
                           "a phase of the domain other than the exterior");
         }
         if (!std::isfinite(kept.area) || !(kept.area > 0)) {
-            refuse_forces("not an area to be kept", std::to_string(kept.area),
-                          "finite and above 0");
+            refuse_forces("not an area to be kept", to_text(kept.area), "finite and above 0");
         }
     }
     const auto same = std::ranges::adjacent_find(options.kept_areas, {}, &KeptArea::phase);

@@ -269,7 +269,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
         throw InputError({.what = "not a time step",
                           .where = "Simulation::step",
-                          .value = std::to_string(dt),
+                          .value = "time " + to_text(time) + ", dt " + to_text(dt),
                           .allowed = "a finite time and a step of 0 or more"});
     }
     if (dt == 0 && flow.motion() != nullptr) {

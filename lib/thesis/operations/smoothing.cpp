@@ -158,13 +158,13 @@ Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
     if (!(options.corner_degrees >= 0 && options.corner_degrees <= 180)) {
         throw InputError({.what = "corner_degrees",
                           .where = "interface_smoothing",
-                          .value = std::to_string(options.corner_degrees),
+                          .value = to_text(options.corner_degrees),
                           .allowed = "0 to 180 degrees"});
     }
     if (!(options.step >= 0 && options.step <= 1)) {
         throw InputError({.what = "step",
                           .where = "interface_smoothing",
-                          .value = std::to_string(options.step),
+                          .value = to_text(options.step),
                           .allowed = "0 to 1"});
     }
     Fan fan;

@@ -185,8 +185,7 @@ CollapsePlan<Real> plan_collapse(const Complex<Real>& complex, const Region& reg
     if (options.place && !options.place->allFinite()) {
         throw InputError({.what = "the place of the new vertex is not finite",
                           .where = "triangle_collapse",
-                          .value = "(" + std::to_string(options.place->x()) + ", " +
-                                   std::to_string(options.place->y()) + ")",
+                          .value = to_text(*options.place),
                           .allowed = "finite coordinates"});
     }
     if (!complex.is_alive(triangle)) {
