@@ -3,6 +3,7 @@
 // compared with the phases of every triangle.
 #include "dsc/queries/phases.h"
 
+#include "dsc/passes/interface/list.h"
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
@@ -167,7 +168,9 @@ TEST(Outlines, HoldEachEdgeOfRandomMeshesOnce) {
         for (const Phase phase : phases(complex)) {
             double sum = 0;
             edges.clear();
-            for (const VertexLoop& loop : outlines(complex, phase)) {
+            const std::vector<VertexLoop> loops = outlines(complex, phase);
+            EXPECT_EQ(outlines(complex, phase, collect_interface(complex)), loops);
+            for (const VertexLoop& loop : loops) {
                 add_edges(complex, loop, true, edges);
                 sum += area(complex, loop);
             }

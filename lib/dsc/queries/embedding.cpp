@@ -30,7 +30,8 @@ Boundary collect_boundary(const Complex<Real>& complex,
                           const std::vector<std::uint32_t>& component) {
     Boundary boundary;
     const auto is_edge = [&](Corner c) { return is_border(complex.twin(c)); };
-    for_each_loop(complex, is_edge, [&](std::span<const Corner> loop) {
+    const HalfEdges half_edges(complex, is_edge);
+    for_each_loop(complex, half_edges, is_edge, [&](std::span<const Corner> loop) {
         const auto first = static_cast<std::uint32_t>(boundary.edges.size());
         boundary.loops.push_back(first);
         for (const Corner c : loop) {

@@ -75,33 +75,36 @@ template <class Real>
 class Interface {
 public:
     explicit Interface(const Complex<Real>& complex)
-        : complex_(complex), done_(4 * std::size_t{complex.triangle_bound()}, 0) {}
+        : complex_(complex), half_edges_(complex, [&](Corner c) {
+              const Phase inside = complex.phase_at(c);
+              const Phase across = complex.phase_at(complex.twin(c));
+              return across == border_phase ? inside != exterior_phase : inside > across;
+          }) {}
 
-    [[nodiscard]] bool is_edge(Corner c) const {
-        const Phase inside = complex_.phase_at(c);
-        const Phase across = complex_.phase_at(complex_.twin(c));
-        return across == border_phase ? inside != exterior_phase : inside > across;
+    std::vector<InterfaceCurve> curves() {
+        std::vector<InterfaceCurve> list;
+        for (Corner c = half_edges_.first_left(); c != no_id; c = half_edges_.first_left()) {
+            list.push_back(take_curve(c));
+        }
+        return list;
     }
-    [[nodiscard]] bool is_done(Corner c) const { return done_[c] != 0; }
 
+private:
     InterfaceCurve take_curve(Corner c) {
         InterfaceCurve curve;
         const Corner begin = find_begin(c, curve.is_closed);
         curve.left = complex_.phase_at(begin);
         curve.right = complex_.phase_at(complex_.twin(begin));
         for (Corner at = begin; at != no_id; at = following(at)) {
-            if (is_done(at)) {
+            if (!half_edges_.take(at)) {
                 return curve; // closed
             }
-            done_[at] = 1;
             curve.vertices.push_back(Vertex{complex_.vertex(next(at))});
             c = at;
         }
         curve.vertices.push_back(Vertex{complex_.vertex(prev(c))});
         return curve;
     }
-
-private:
     // The edges of the phase on the left, whatever is on their other side.
     [[nodiscard]] auto around(Phase left) const {
         return [this, left](Corner c) { return complex_.phase_at(complex_.twin(c)) != left; };
@@ -151,24 +154,14 @@ private:
     }
 
     const Complex<Real>& complex_;
-    std::vector<std::uint8_t> done_;
+    HalfEdges half_edges_;
 };
 
 } // namespace
 
 template <class Real>
 std::vector<InterfaceCurve> interface_curves(const Complex<Real>& complex) {
-    std::vector<InterfaceCurve> curves;
-    Interface<Real> interface(complex);
-    for (const Triangle t : triangles(complex)) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t.id, i);
-            if (!interface.is_done(c) && interface.is_edge(c)) {
-                curves.push_back(interface.take_curve(c));
-            }
-        }
-    }
-    return curves;
+    return Interface<Real>(complex).curves();
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

@@ -8,7 +8,10 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
 
+#include <algorithm>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -116,28 +119,72 @@ std::vector<std::uint32_t> label_parts(const Complex<Real>& complex, Joins joins
     return part_of;
 }
 
-/// Calls `visit(std::span<const Corner>)` for each closed loop of the half-edges for which
-/// `is_edge(corner)` holds: those around a region, with the region on their left and not on their
-/// right. At each vertex a loop continues with the next edge of the same fan of triangles. Each
-/// half-edge is named by the corner opposite to it, in the triangle inside; a loop begins with its
-/// smallest corner, and loops come in the order of these. O(triangles).
-template <class Real, class IsEdge, class Visit>
-void for_each_loop(const Complex<Real>& complex, IsEdge is_edge, Visit visit) {
-    std::vector<std::uint8_t> done(4 * std::size_t{complex.triangle_bound()}, 0);
-    std::vector<Corner> loop;
-    for (const Triangle t : triangles(complex)) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            Corner c = corner_of(t.id, i);
-            if (done[c] != 0 || !is_edge(c)) {
-                continue;
+/// Half-edges, each named by the corner opposite to it, that a walk takes one after the other.
+class HalfEdges {
+public:
+    /// Those for which `is_edge(corner)` holds. O(triangles).
+    template <class Real, class IsEdge>
+    HalfEdges(const Complex<Real>& complex, IsEdge is_edge) {
+        for (const Triangle t : triangles(complex)) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                add_if(corner_of(t.id, i), is_edge);
             }
-            loop.clear();
-            for (; done[c] == 0; c = next_along(complex, c, is_edge)) {
-                done[c] = 1;
-                loop.push_back(c);
-            }
-            visit(std::span<const Corner>(loop));
         }
+        is_taken_.resize(all_.size(), 0);
+    }
+    /// Those of them that begin at the given vertices. O(their stars).
+    template <class Real, class IsEdge>
+    HalfEdges(const Complex<Real>& complex, std::span<const std::uint32_t> from, IsEdge is_edge) {
+        for (const std::uint32_t v : from) {
+            for_each_corner(complex, Vertex{v}, [&](Corner c) { add_if(prev(c), is_edge); });
+        }
+        std::ranges::sort(all_);
+        all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
+        is_taken_.resize(all_.size(), 0);
+    }
+
+    /// The smallest one that has not been taken; no_id if all have been. Amortised O(1).
+    [[nodiscard]] Corner first_left() {
+        while (first_ < all_.size() && is_taken_[first_] != 0) {
+            ++first_;
+        }
+        return first_ < all_.size() ? all_[first_] : no_id;
+    }
+    /// Takes one. False if it has been taken before, or is none of them. O(log their number).
+    bool take(Corner corner) {
+        const auto at =
+            static_cast<std::size_t>(std::ranges::lower_bound(all_, corner) - all_.begin());
+        return at < all_.size() && all_[at] == corner && std::exchange(is_taken_[at], 1) == 0;
+    }
+
+private:
+    template <class IsEdge>
+    void add_if(Corner corner, IsEdge is_edge) {
+        if (is_edge(corner)) {
+            all_.push_back(corner);
+        }
+    }
+
+    std::vector<Corner> all_; ///< ascending
+    std::vector<std::uint8_t> is_taken_;
+    std::size_t first_ = 0; ///< all before it have been taken
+};
+
+/// Calls `visit(std::span<const Corner>)` for each closed loop of half-edges for which
+/// `is_edge(corner)` holds: those around a region, with the region on their left and not on their
+/// right. At each vertex a loop continues with the next edge of the same fan of triangles. A loop
+/// begins with its smallest corner, in the triangle inside, and loops come in the order of these.
+/// O(half-edges, times the logarithm of their number).
+template <class Real, class IsEdge, class Visit>
+void for_each_loop(const Complex<Real>& complex, HalfEdges half_edges, IsEdge is_edge,
+                   Visit visit) {
+    std::vector<Corner> loop;
+    for (Corner c = half_edges.first_left(); c != no_id; c = half_edges.first_left()) {
+        loop.clear();
+        for (; half_edges.take(c); c = next_along(complex, c, is_edge)) {
+            loop.push_back(c);
+        }
+        visit(std::span<const Corner>(loop));
     }
 }
 
@@ -145,9 +192,8 @@ void for_each_loop(const Complex<Real>& complex, IsEdge is_edge, Visit visit) {
 /// each.
 template <class Real, class Visit>
 void for_each_outline(const Complex<Real>& complex, Visit visit) {
-    for_each_loop(
-        complex, [&](Corner c) { return complex.phase_at(c) != complex.phase_at(complex.twin(c)); },
-        visit);
+    const auto is_edge = [&](Corner c) { return is_constrained(complex, c); };
+    for_each_loop(complex, HalfEdges(complex, is_edge), is_edge, visit);
 }
 
 /// A piece of the interface with the same two phases along its whole length.
@@ -181,28 +227,37 @@ using VertexLoop = std::vector<Vertex>;
 /// The outlines of the phases for which `belongs(phase)` holds, taken together: counter-clockwise
 /// around them, clockwise around holes, with edges of the domain boundary where they reach it.
 /// Where two triangles of these phases meet only at a vertex, two outlines touch, or one passes
-/// through it twice. In the order of `for_each_loop`. O(triangles).
+/// through it twice. In the order of `for_each_loop`. O(triangles); O(`interface`), apart from a
+/// logarithm, where these are all vertices of the interface (`Simulation::interface`), and the
+/// exterior phase is none of the phases.
 template <class Real, class Belongs>
-[[nodiscard]] std::vector<VertexLoop> outlines_where(const Complex<Real>& complex,
-                                                     Belongs belongs) {
+[[nodiscard]] std::vector<VertexLoop>
+outlines_where(const Complex<Real>& complex, Belongs belongs,
+               std::optional<std::span<const std::uint32_t>> interface = {}) {
     std::vector<VertexLoop> loops;
     const auto is_inside = [&](Phase phase) { return phase != border_phase && belongs(phase); };
     const auto is_edge = [&](Corner c) {
         return is_inside(complex.phase_at(c)) && !is_inside(complex.phase_at(complex.twin(c)));
     };
-    for_each_loop(complex, is_edge, [&](std::span<const Corner> corners) {
-        VertexLoop& loop = loops.emplace_back();
-        for (const Corner c : corners) {
-            loop.push_back(Vertex{complex.vertex(next(c))});
-        }
-    });
+    const bool is_listed = interface && !belongs(exterior_phase); // else not by the interface alone
+    for_each_loop(complex,
+                  is_listed ? HalfEdges(complex, *interface, is_edge) : HalfEdges(complex, is_edge),
+                  is_edge, [&](std::span<const Corner> corners) {
+                      VertexLoop& loop = loops.emplace_back();
+                      for (const Corner c : corners) {
+                          loop.push_back(Vertex{complex.vertex(next(c))});
+                      }
+                  });
     return loops;
 }
 
 /// The outlines of one phase.
 template <class Real>
-[[nodiscard]] std::vector<VertexLoop> outlines(const Complex<Real>& complex, Phase phase) {
-    return outlines_where(complex, [phase](Phase other) { return other == phase; });
+[[nodiscard]] std::vector<VertexLoop>
+outlines(const Complex<Real>& complex, Phase phase,
+         std::optional<std::span<const std::uint32_t>> interface = {}) {
+    return outlines_where(
+        complex, [phase](Phase other) { return other == phase; }, interface);
 }
 
 } // namespace dsc
