@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "flows/flow_map.h"
 
-#include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/algebra/default_operations.hpp>
+#include <boost/numeric/odeint/algebra/vector_space_algebra.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <boost/numeric/odeint/util/resizer.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -19,9 +18,10 @@ namespace {
 /// Points that go through all the steps together, so that their stages stay in a near cache.
 constexpr std::size_t block_size = 128;
 
-using Block = std::array<Point<double>, block_size>;
+/// Their coordinates, in one array: sums over stages use all lanes of a register.
+using Block = Eigen::Array<double, 2 * block_size, 1>;
 using Stepper = boost::numeric::odeint::runge_kutta_fehlberg78<
-    Block, double, Block, double, boost::numeric::odeint::array_algebra,
+    Block, double, Block, double, boost::numeric::odeint::vector_space_algebra,
     boost::numeric::odeint::default_operations, boost::numeric::odeint::never_resizer>;
 
 /// The part of the time that one leg covers.
@@ -31,12 +31,18 @@ struct Stretch {
     Velocity velocity;
 };
 
+std::span<Point<double>> points_in(Block& all) {
+    return {reinterpret_cast<Point<double>*>(all.data()), block_size};
+}
+std::span<const Point<double>> points_in(const Block& all) {
+    return {reinterpret_cast<const Point<double>*>(all.data()), block_size};
+}
+
 /// Moves the first `count` points; the others stay where they are.
 void advance(const Stretch& stretch, std::size_t count, Stepper& stepper, Block& points) {
     const auto evaluate = [&](const Block& at, Block& velocities, double time) {
-        stretch.velocity(std::span(at).first(count), time, std::span(velocities).first(count));
-        std::fill(velocities.begin() + static_cast<std::ptrdiff_t>(count), velocities.end(),
-                  Point<double>::Zero());
+        stretch.velocity(points_in(at).first(count), time, points_in(velocities).first(count));
+        velocities.tail(velocities.size() - 2 * static_cast<Eigen::Index>(count)).setZero();
     };
     const double dt = (stretch.end - stretch.begin) / stretch.steps;
     for (int step = 0; step < stretch.steps; ++step) {
@@ -66,15 +72,14 @@ FlowMap runge_kutta_map(Flow flow, double begin, double end, int steps) {
     }
     return [stretches = std::move(stretches)](std::span<Point<double>> points) {
         Stepper stepper;
-        Block together;
-        together.fill(Point<double>::Zero());
+        Block together = Block::Zero();
         for (std::size_t i = 0; i < points.size(); i += block_size) {
             const auto part = points.subspan(i, std::min(block_size, points.size() - i));
-            std::copy(part.begin(), part.end(), together.begin());
+            std::ranges::copy(part, points_in(together).begin());
             for (const Stretch& stretch : stretches) {
                 advance(stretch, part.size(), stepper, together);
             }
-            std::copy_n(together.begin(), part.size(), part.begin());
+            std::copy_n(points_in(together).begin(), part.size(), part.begin());
         }
     };
 }
