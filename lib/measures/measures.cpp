@@ -3,9 +3,9 @@
 
 #include "measures/hausdorff.h"
 #include "measures/jaggedness.h"
-#include "measures/mesh_quality.h"
 #include "measures/symmetric_difference.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace dsc::scenes {
@@ -15,10 +15,6 @@ namespace {
 Value jaggedness_of(const Moment& moment) {
     const Jaggedness j = measure_jaggedness(moment.polygons, moment.exact->outlines);
     return Figures{{"largest_excess_deg", j.largest_excess_deg}};
-}
-
-MeshQuality quality_of(const Moment& moment) {
-    return std::visit([](const auto* complex) { return measure_quality(*complex); }, moment.mesh);
 }
 
 std::vector<Measure> make_default_measures() {
@@ -40,11 +36,11 @@ std::vector<Measure> make_default_measures() {
         {"exact_error", "domain units^2", "area by which the exact shape may be off itself",
          exact_shape, [](M m) { return m.exact->own_error; }},
         {"min_quality", "1", "worst triangle by equation 4", mesh,
-         [](M m) { return quality_of(m).min_quality; }},
+         [](M m) { return m.quality.min_quality; }},
         {"min_angle_deg", "degrees", "smallest angle of any triangle", mesh,
-         [](M m) { return quality_of(m).min_angle_deg; }},
+         [](M m) { return m.quality.min_angle_deg; }},
         {"median_angle_deg", "degrees", "median of the triangles' smallest angles", mesh,
-         [](M m) { return quality_of(m).median_angle_deg; }},
+         [](M m) { return m.quality.median_angle_deg; }},
     };
 }
 
@@ -59,6 +55,10 @@ Figures measure(const std::vector<Measure>& measures, Moment moment) {
     Figures figures;
     figures.reserve(measures.size());
     moment.figures = &figures;
+    if (std::ranges::find(measures, Needs::mesh, &Measure::needs) != measures.end()) {
+        moment.quality =
+            std::visit([](const auto* complex) { return measure_quality(*complex); }, moment.mesh);
+    }
     for (const Measure& one : measures) {
         const bool can = one.needs != Needs::exact_shape || moment.exact != nullptr;
         figures.push_back(

@@ -6,6 +6,7 @@
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 #include "measures/figures.h"
+#include "measures/mesh_quality.h"
 #include "shapes/outline.h"
 
 #include <functional>
@@ -24,6 +25,7 @@ struct Moment {
     const ExactShape* exact = nullptr; ///< null: only measures that need none are run
     double area_exact_first = 0;       ///< of the first exact shape
     const Figures* figures = nullptr;  ///< the results of the measures before this one
+    MeshQuality quality = {};          ///< of the mesh, where a measure needs it
 };
 
 enum class Needs : std::uint8_t {
@@ -43,8 +45,8 @@ struct Measure {
 /// The measures of a run by default.
 [[nodiscard]] const std::vector<Measure>& default_measures();
 
-/// The value of each measure, in their order. `moment.figures` need not be set. Throws what the
-/// measures throw.
+/// The value of each measure, in their order. `moment.figures` and `quality` need not be set.
+/// Throws what the measures throw.
 [[nodiscard]] Figures measure(const std::vector<Measure>& measures, Moment moment);
 
 } // namespace dsc::scenes

@@ -2,14 +2,20 @@
 // The meter of the mesh on meshes whose faults are known: it must not say that all is well.
 #include "measures/mesh_quality.h"
 
+#include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
+#include "support/random/scene.h"
 #include "support/small_meshes.h"
+#include "thesis/copies/copy_executor.h"
+#include "topology/stage.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
 namespace dsc::scenes::mesh_quality_test {
@@ -77,6 +83,85 @@ TEST(MeshQuality, IsThatOfALookAtEachTriangle) {
     for (const double size : {1.0, 1e-3, 1e-15}) {
         expect_a_look_at_each<float>(size);
     }
+}
+
+// What was inverted counts until it no longer is; the least quality stays.
+TEST(QualityWatch, LooksAtWhatWasTouched) {
+    auto complex = test::hexagon<double>();
+    const LogReader journal(complex.journal);
+    QualityWatch<double> watch(complex);
+    EXPECT_EQ(watch.look().min_quality, measure_worst(complex).min_quality);
+    std::size_t told = 0;
+    const auto move_and_look = [&](double x) {
+        complex.set_position(Vertex{0}, {x, 0});
+        watch.note(journal.edits().subspan(told));
+        told = journal.edits().size();
+        return watch.look();
+    };
+    const MeshQuality beyond = move_and_look(1.5);
+    EXPECT_EQ(beyond.inverted, 2U);
+    EXPECT_LT(beyond.min_quality, 0);
+    EXPECT_EQ(watch.look().inverted, 2U) << "nothing was touched in between";
+    const MeshQuality back = move_and_look(0);
+    EXPECT_EQ(back.inverted, 0U);
+    EXPECT_EQ(back.min_quality, beyond.min_quality);
+}
+
+// After every step the same as a look at the whole mesh, to the bit.
+template <class Real>
+void expect_a_look_at_all(const Options<Real>& options, const Division* division,
+                          const TopologyOptions<Real>& topology = {}) {
+    auto complex = test::disc_complex<Real>(static_cast<double>(options.edge_length));
+    auto executor =
+        division != nullptr
+            ? make_executor(complex, options, Parallel{.division = division, .submeshes = 4})
+            : nullptr;
+    Simulation<Real> simulation(complex, options, std::move(executor));
+    if (topology.changes()) {
+        simulation.add_stage(std::make_shared<TopologyStage<Real>>(topology));
+    }
+    QualityWatch<Real> watch(complex);
+    simulation.add_listener([&](std::span<const Edit> edits) { watch.note(edits); });
+    // Draws the disc out to two drops with a neck between them, and back.
+    const dsc::Velocity<Real> squeeze = [](auto positions, Real time, auto velocities) {
+        const Real speed = time < Real(0.5) ? 1 : -1;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const Real x = positions[i].x() - Real(0.5);
+            velocities[i] = {speed * 6 * x * (Real(0.35) - std::abs(x)),
+                             speed * 3 * (Real(0.2) - std::abs(x)) *
+                                 (Real(0.5) - positions[i].y())};
+        }
+    };
+    const double first = watch.look().min_quality;
+    double least = first;
+    std::uint64_t edits = 0;
+    const Real dt = Real(0.01);
+    for (int step = 0; step < 100; ++step) {
+        const StepReport report = simulation.step(squeeze, static_cast<Real>(step) * dt, dt);
+        edits += report.operations.flips + report.operations.splits + report.operations.collapses;
+        const MeshQuality all = measure_worst(complex);
+        least = std::min(least, all.min_quality);
+        const MeshQuality touched = watch.look();
+        ASSERT_EQ(touched.min_quality, least) << "step " << step;
+        ASSERT_EQ(touched.inverted, all.inverted) << "step " << step;
+    }
+    EXPECT_GT(edits, 300U) << "hardly anything was done";
+    EXPECT_LT(least, first);
+}
+
+TEST(QualityWatch, IsALookAtAllAfterEachStep) {
+    Options<double> options;
+    options.edge_length = 0.03;
+    for (const Division* division :
+         {static_cast<const Division*>(nullptr), &cells_division, &copy_division}) {
+        expect_a_look_at_all<double>(options, division);
+        expect_a_look_at_all<double>(options, division, {.rule = Topology::change});
+    }
+    options.sizes.growth = 1.3;
+    expect_a_look_at_all<double>(options, nullptr);
+    Options<float> in_float;
+    in_float.edge_length = 0.03F;
+    expect_a_look_at_all<float>(in_float, &cells_division);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_corners.h"
+#include "measures/mesh_quality.h"
 #include "replay/replay.h"
 #include "scenes/output/submesh_map.h"
 #include "scenes/run/fluid_run.h"
@@ -85,6 +86,7 @@ public:
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
         }
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
+        simulation_->add_listener([this](std::span<const Edit> edits) { watch_.note(edits); });
         if (const auto topology = topology_options<Real>(parameters); topology.changes()) {
             topology_ = std::make_shared<TopologyStage<Real>>(topology);
             simulation_->add_stage(topology_);
@@ -104,6 +106,20 @@ public:
         }
     }
 
+    /// Of a step, but not part of its time: what has to be kept in case that it fails...
+    void before_step() {
+        if constexpr (std::is_same_v<Real, double>) {
+            if (fluid_) {
+                fluid_->before_step(*simulation_);
+            }
+        }
+    }
+    /// ...and what is measured of it.
+    void after_step() {
+        if (fluid_) {
+            fluid_->look();
+        }
+    }
     void step(double begin, double end, RunResult& result) {
         const auto time = static_cast<Real>(begin);
         const auto dt = static_cast<Real>(setup_.dt);
@@ -134,6 +150,9 @@ public:
         if (fluid_) {
             fluid_->archive(archive);
         }
+        if (archive.is_reading()) {
+            watch_.forget();
+        }
         leg_ = velocity_before(step);
     }
     /// To be called after the last step: the log of edits is put in its place.
@@ -144,6 +163,8 @@ public:
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] const Executor<Real>& executor() const { return *executor_; }
+    /// The worst quality at any look so far, and the triangles that are inverted now.
+    [[nodiscard]] MeshQuality worst() { return watch_.look(); }
     /// The largest error of the value at the vertices; NaN if there is none.
     [[nodiscard]] double value_error() const {
         return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
@@ -202,6 +223,9 @@ private:
         if constexpr (std::is_same_v<Real, double>) {
             const StepReport report = fluid_->step(*simulation_, setup_.dt);
             const bool is_undone = report.gave_up != GiveUp::none || !fluid_->failure().empty();
+            if (is_undone) {
+                watch_.forget();
+            }
             if (is_undone && topology_) { // what it did to the phases is undone as well
                 (void)topology_->take_events();
                 (void)topology_->take_area();
@@ -256,6 +280,7 @@ private:
 
     const Setup& setup_;
     Complex<Real> complex_;
+    QualityWatch<Real> watch_{complex_};
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     std::shared_ptr<TopologyStage<Real>> topology_; ///< null where the topology is kept

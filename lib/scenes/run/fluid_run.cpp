@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
 #include "fluid/solve/solve_report.h"
-#include "measures/phases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +22,9 @@ FluidMotion with_threads(FluidMotion motion, std::uint32_t threads) {
 }
 
 bool is_at_wall(const Complex<double>& complex, Phase phase) {
-    const PhaseReport report = measure_phases(complex);
-    const auto found = std::ranges::find(report.phases, phase, &PhaseFigures::phase);
-    return found == report.phases.end() || found->wall > 0;
+    const auto all = triangles(complex, phase);
+    return all.empty() ||
+           std::ranges::any_of(all, [&](Triangle t) { return is_boundary(complex, t); });
 }
 
 double centre_of(const FluidField& field, Phase phase) {
@@ -186,13 +185,15 @@ void FluidRun::check_pairs_meet() const {
     }
 }
 
+void FluidRun::before_step(Simulation<double>& simulation) {
+    before_ = {};
+    simulation.archive(before_);
+    fluid_.archive(before_);
+}
+
 StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
-    // A step that fails leaves a mesh without its flow, so that the state before is kept.
-    Archive before;
-    simulation.archive(before);
-    fluid_.archive(before);
     const auto go_back = [&] {
-        Archive state(before.bytes(), "the state before the step");
+        Archive state(before_.bytes(), "the state before the step");
         simulation.archive(state);
         fluid_.archive(state);
     };
@@ -214,7 +215,6 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
         solve_s_ += report.solve_s;
         assembly_s_ += report.assembly_s;
         dsc_s_ += report.move_s;
-        look();
         return report.moved;
     } catch (const SolveError& error) {
         return fail(error);

@@ -39,9 +39,13 @@ public:
     /// Throws InputError if there is a tension of two phases that do not meet now: to be called
     /// where the topology is kept, so that they never will.
     void check_pairs_meet() const;
-    /// Moves the interface of the simulation, and measures. A step that fails is undone: its report
-    /// says only why it gave up.
+    /// Keeps the state, to which a step that fails goes back: it leaves a mesh without its flow.
+    void before_step(Simulation<double>& simulation);
+    /// Moves the interface of the simulation. A step that fails is undone: its report says only why
+    /// it gave up.
     StepReport step(Simulation<double>& simulation, double dt);
+    /// Measures what the last step, which has a flow, has come to.
+    void look();
     /// Why the last step has no flow; empty: it has.
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
@@ -57,12 +61,11 @@ public:
     void archive(Archive& archive);
 
 private:
-    void look();
-
     const Complex<double>& complex_;
     FluidMotion motion_;
     Phase phase_;
     Fluid fluid_;
+    Archive before_; ///< the state before the step
     std::string failure_;
     std::vector<FluidMoment> moments_;
     double solve_s_ = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "measures/mesh_quality.h"
 #include "scenes/run/run.h"
 
 #include "reference/algorithm/dsc.h"
@@ -25,6 +26,9 @@ public:
     /// Converted anew after each step, on the first request.
     [[nodiscard]] const Complex<double>& complex();
     [[nodiscard]] std::uint64_t interface_vertices();
+    [[nodiscard]] MeshQuality worst() { return measure_worst(complex()); }
+    void before_step() {}
+    void after_step() {}
     [[nodiscard]] std::uint32_t threads_used() const { return 1; }
 
 private:

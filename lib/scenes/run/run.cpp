@@ -63,16 +63,19 @@ public:
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
             begin_frame(step);
+            method_.before_step();
             const Stopwatch watch;
             method_.step(begin, end, result_);
             const double wall_s = watch.wall();
+            const double cpu_s = watch.cpu();
             if (setup_.fluid && !result_.gave_up.empty()) {
                 frame(step); // of the state before, to which a fluid goes back
                 break;
             }
             step_us_.push_back(wall_s * 1e6);
             result_.wall_s += wall_s;
-            result_.cpu_s += watch.cpu();
+            result_.cpu_s += cpu_s;
+            method_.after_step();
             result_.threads_used = std::max(result_.threads_used, method_.threads_used());
             result_.steps = step;
             time_ = end;
@@ -257,7 +260,7 @@ private:
     }
 
     void look_at_the_worst() {
-        const MeshQuality quality = measure_worst(complex());
+        const MeshQuality quality = method_.worst();
         result_.min_quality_ever = std::min(result_.min_quality_ever, quality.min_quality);
         result_.inverted += quality.inverted;
     }
