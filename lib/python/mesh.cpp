@@ -55,10 +55,15 @@ MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, 
     Choices choices;
     apply(choices, keywords, Use::initial_complex);
     const InitialOptions options{.edge_length = choices.options.edge_length,
-                                 .sizes = choices.options.sizes};
+                                 .sizes = choices.options.sizes,
+                                 .detail = choices.detail,
+                                 .border_tolerance = choices.border_tolerance};
+    InputReport report;
     const py::gil_scoped_release others_run; // sizes may be functions of Python
-    return std::make_shared<Mesh>(initial_complex<double>({domain.at(0), domain.at(1)},
-                                                          std::span<const Piece>(pieces), options));
+    const auto mesh = std::make_shared<Mesh>(initial_complex<double>(
+        {domain.at(0), domain.at(1)}, std::span<const Piece>(pieces), options, &report));
+    mesh->input_report = report;
+    return mesh;
 }
 
 // --- and as bytes, without data, which dsc/mesh.py adds ------------------------------------------
@@ -148,13 +153,20 @@ const Mesh::Arrays& Mesh::arrays() {
 
 void add_mesh(py::module_& module) {
     MeshClass type(module, "Mesh");
-    type.def(py::init(&from_pieces<Shape, Phase>))
+    type.def(py::init(&from_pieces<Shape, Phase, std::vector<Points>, std::string>))
         .def(py::init(&from_pieces<Curve, Phase, Phase>))
         .def(py::init(&from_arrays))
         .def(py::init(&from_bytes))
         .def(py::init<const Mesh&>())
         .def("_bytes", &bytes_of)
         .def("_interface_curves", &curves_of)
+        .def("_input_report",
+             [](const Mesh& mesh) {
+                 const InputReport& report = mesh.input_report;
+                 return std::tuple(report.points, report.thinned, report.deviation,
+                                   report.area_changed, report.dropped, report.area_dropped,
+                                   report.clipped);
+             })
         .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
         .def_property_readonly("triangles", &Mesh::triangles,
                                "Rows of `points`, counter-clockwise: (m, 3) int32.")

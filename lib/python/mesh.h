@@ -15,7 +15,7 @@ class Mesh {
 public:
     explicit Mesh(Complex<double> complex) : complex_(std::move(complex)) {}
     /// A copy of the complex. Throws as `complex`.
-    Mesh(const Mesh& other) : complex_(other.complex()) {}
+    Mesh(const Mesh& other) : input_report(other.input_report), complex_(other.complex()) {}
     Mesh& operator=(const Mesh&) = delete;
     Mesh(Mesh&&) = delete;
     Mesh& operator=(Mesh&&) = delete;
@@ -39,6 +39,8 @@ public:
     /// Drops the arrays, and keeps the mesh busy until the result is dropped: for a change. Throws
     /// std::runtime_error if another one is under way.
     [[nodiscard]] std::shared_ptr<void> change();
+
+    InputReport input_report; ///< of the shapes or curves that the mesh was made of, if it was
 
 private:
     struct Arrays {

@@ -57,6 +57,7 @@ const auto& names_of(Integrator /*type*/) { return integrator_names; }
 const auto& names_of(Insertion /*type*/) { return insertion_names; }
 const auto& names_of(Coarsening /*type*/) { return coarsening_names; }
 const auto& names_of(Reading /*type*/) { return reading_names; }
+const auto& names_of(Detail /*type*/) { return detail_names; }
 const auto& names_of(Topology /*type*/) { return topology_names; }
 const auto& names_of(ChosenDivision /*type*/) {
     static const auto table = [] {
@@ -154,7 +155,7 @@ void set(Field& field, const std::string& name, const py::handle& value) {
 // clang-format off: a row is a line or two
 template <class AnyChoices, class Visit>
 void for_each_option(AnyChoices& choices, Use use, Visit visit) {
-    auto& [options, topology, threads, division, submeshes] = choices;
+    auto& [options, topology, detail, border_tolerance, threads, division, submeshes] = choices;
     auto& sizes = options.sizes;
     auto& interface = options.interface;
     visit("edge_length", options.edge_length, "target length of edges, in units of the domain");
@@ -168,6 +169,9 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
     visit("on_interface", sizes.on_interface, "a target for the interface's own edges");
     visit("changes_in_time", sizes.changes_in_time, "whether these functions do");
     if (use == Use::initial_complex) {
+        visit("detail", detail, "what happens to detail of shapes that is finer than the mesh");
+        visit("border_tolerance", border_tolerance,
+              "borders of shapes nearer than this are one, in edge lengths; 0.001 to 0.1");
         return;
     }
     visit("integrator", options.integrator, "how targets are found from velocities");

@@ -23,6 +23,8 @@ struct ChosenDivision {
 struct Choices {
     Options<double> options;
     TopologyOptions<double> topology;
+    Detail detail = InitialOptions{}.detail;                     ///< of the initial complex
+    double border_tolerance = InitialOptions{}.border_tolerance; ///< the same
     std::optional<std::uint32_t> threads; ///< of `Parallel`, like the next two
     std::optional<ChosenDivision> division;
     std::optional<std::uint32_t> submeshes;

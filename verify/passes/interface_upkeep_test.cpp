@@ -39,7 +39,7 @@ Outline ellipse(double a, double b, int n) {
 
 Complex<double> complex_of(const Outline& outline) {
     const std::vector<Shape> shapes{{outline, 1}};
-    return initial_complex<double>({}, shapes, {.edge_length = h});
+    return initial_complex<double>({}, shapes, {.edge_length = h, .detail = Detail::keep});
 }
 
 // Runs upkeep repeatedly until nothing changes any more.
@@ -52,7 +52,8 @@ struct Kept {
 
 Kept keep_up(const Outline& outline, const Options<double>& options) {
     Kept kept{complex_of(outline), {}, {}, false};
-    mark_corners(kept.complex, collect_interface(kept.complex), options.interface.corner_degrees);
+    mark_corners(kept.complex, collect_interface(kept.complex), options.interface.corner_degrees,
+                 0.0);
     Work<double> work(kept.complex, options);
     work.interface = collect_interface(kept.complex);
     for (int round = 0; round < 60 && !kept.ended; ++round) {
@@ -206,7 +207,7 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
         }
         Work<double> work(complex, options);
         work.interface = collect_interface(complex);
-        mark_corners(complex, work.interface, options.interface.corner_degrees);
+        mark_corners(complex, work.interface, options.interface.corner_degrees, 0.0);
         for (int round = 0; round < 10; ++round) {
             upkeep_interface(work);
         }
@@ -263,6 +264,25 @@ TEST(Corners, AreTurnsOfMoreThanFortyDegrees) {
             return (complex.vertices[v].flags & vertex_corner) != 0;
         });
         EXPECT_EQ(corners, turn > 40 ? 5 : 4);
+    }
+}
+
+// A point beside the curve by less than the mesh can show is none; a corner that a short edge cuts
+// off is one.
+TEST(Corners, AreTurnsAtTheScaleOfTheMesh) {
+    Outline circle = ellipse(0.3, 0.3, 40);
+    circle.insert(circle.begin() + 8,
+                  Point<double>(circle[7] * 1.01 - 0.01 * Point<double>(0.5, 0.5)));
+    const Outline square{{0.3, 0.3}, {0.698, 0.3}, {0.7, 0.302}, {0.7, 0.7}, {0.3, 0.7}};
+    for (const auto& [outline, corners] : {std::pair(circle, 0), std::pair(square, 4)}) {
+        auto complex = initial_complex<double>({}, {Shape{outline, 1}},
+                                               {.edge_length = h, .detail = Detail::keep});
+        mark_corners(complex, collect_interface(complex), 40, feature_arc * h);
+        int marked = 0;
+        for (const Vertex v : vertices(complex)) {
+            marked += complex.is_corner(v) ? 1 : 0;
+        }
+        EXPECT_EQ(marked, corners);
     }
 }
 

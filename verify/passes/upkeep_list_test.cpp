@@ -60,7 +60,8 @@ TEST(UpkeepList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
         outline.insert(outline.begin() + 10,
                        outline[10] + length * h * Point<double>(along.y(), -along.x()));
         const std::vector<Shape> shapes{{outline, 1}};
-        auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
+        auto complex =
+            initial_complex<double>({}, shapes, {.edge_length = h, .detail = Detail::keep});
         const auto options = options_for<double>(h);
         Work<double> work(complex, options);
         work.interface = collect_interface(complex);

@@ -40,7 +40,9 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
         executor_ =
             std::make_unique<Executor<Real>>(complex, completed(), default_algorithm<Real>());
     }
-    mark_corners(complex, interface(), options.interface.corner_degrees);
+    mark_corners(complex, interface(), options.interface.corner_degrees,
+                 static_cast<Real>(feature_arc) *
+                     finest_on_interface(options.sizes, options.edge_length));
     measure(0);
 }
 
@@ -177,7 +179,9 @@ void Simulation<Real>::absorb(By by, Real time) {
     // the sharp turn at the end of a seam is not.
     if (by == By::application) {
         mark_corners(complex_, on_interface(complex_, interface_changes(after)),
-                     options_.interface.corner_degrees);
+                     options_.interface.corner_degrees,
+                     static_cast<Real>(feature_arc) *
+                         finest_on_interface(options_.sizes, options_.edge_length));
     }
     // Between other phases a vertex goes on in another way: its last step no longer counts.
     if (options_.custom_integrator) {

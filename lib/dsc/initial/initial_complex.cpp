@@ -2,6 +2,7 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/ranges.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"
 #include "dsc/initial/improve/improvement.h"
@@ -32,6 +33,11 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
     }
     Complex<Real> complex;
     write_lattice(input.lattice, spare_per_piece * pieces, complex);
+    if (paths.empty()) {
+        for (const Triangle t : triangles(complex)) {
+            complex.triangles[t.id].phase = input.background;
+        }
+    }
     clear_lattice(complex, input.lattice, paths, clearance);
     Chains chains = insert_paths(complex, input.lattice, paths);
     const std::vector<std::uint32_t> touched = recover_segments(complex, chains);
@@ -81,23 +87,31 @@ Frame choose_frame(const Point<double>& low, const Point<double>& high) {
 
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
-                              const InitialOptions& options) {
-    return build<Real>(initial::check_input<Real>(domain, shapes, options), options,
-                       initial::Protection::circle);
+                              const InitialOptions& options, InputReport* report) {
+    InputReport found;
+    const auto input = initial::check_input<Real>(domain, shapes, options, found);
+    if (report != nullptr) {
+        *report = found;
+    }
+    return build<Real>(input, options, initial::Protection::circle);
 }
 
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
-                              const InitialOptions& options) {
-    return build<Real>(initial::check_input<Real>(domain, curves, options), options,
-                       initial::Protection::lens);
+                              const InitialOptions& options, InputReport* report) {
+    InputReport found;
+    const auto input = initial::check_input<Real>(domain, curves, options, found);
+    if (report != nullptr) {
+        *report = found;
+    }
+    return build<Real>(input, options, initial::Protection::lens);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Complex<Real> initial_complex(const Rectangle&, std::span<const Shape>,               \
-                                           const InitialOptions&);                                 \
+                                           const InitialOptions&, InputReport*);                   \
     template Complex<Real> initial_complex(const Rectangle&, std::span<const Curve>,               \
-                                           const InitialOptions&);
+                                           const InitialOptions&, InputReport*);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -12,16 +12,25 @@
 #include "dsc/complex/complex.h"
 #include "dsc/sizes/sizes.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace dsc {
 
-/// One simple polygon and the phase inside it.
+/// A polygon and the phase inside it. Rings may run either way, repeat their first point at the
+/// end, touch each other and reach beyond the domain, but not cross.
 struct Shape {
-    std::vector<Point<double>> outline; ///< either orientation; the first point is not repeated
-    Phase phase = 1;                    ///< differs from the phase around the shape
+    std::vector<Point<double>> outline;
+    Phase phase = 1; ///< differs from the phase around the shape
+    /// Further rings: by the even-odd rule, holes in the outline, islands in these, and other
+    /// parts.
+    std::vector<std::vector<Point<double>>> holes = {};
+    std::string name = {}; ///< in messages; empty: by its number, as "shape 0"
 };
 
 /// A piece of the interface between two junctions, or a closed curve.
@@ -60,21 +69,59 @@ struct Frame {
 
 // --- the complex ---------------------------------------------------------------------------------
 
+/// What happens to detail that is finer than the mesh, where triangles would stay needles. The edge
+/// length is here the shortest that `sizes` may ask of the interface.
+enum class Detail : std::uint8_t {
+    /// Points at edges below 0.2 edge lengths are left out, if the interface stays within 0.1 edge
+    /// lengths of them, and the area on each side of a curve within 0.001 edge lengths times its
+    /// length. Shapes that are smaller than the edge length are dropped.
+    thin,
+    /// All points and shapes stay. Edges below 0.05 edge lengths and shapes smaller than the edge
+    /// length are refused.
+    keep,
+};
+
+inline constexpr std::array detail_names{
+    Named{Detail::thin, "thin"},
+    Named{Detail::keep, "keep"},
+};
+
+/// What was left out of shapes or curves because the mesh is too coarse for it.
+struct InputReport {
+    std::size_t points = 0;  ///< given
+    std::size_t thinned = 0; ///< points left out of the interface
+    double deviation = 0;    ///< the largest distance of these from the interface
+    double area_changed = 0; ///< by leaving them out: the sum over all curves of the net change
+    std::size_t dropped = 0; ///< shapes that are too small
+    double area_dropped = 0; ///< of these shapes
+    std::size_t clipped = 0; ///< outlines and holes that were cut at the sides of the domain
+
+    friend bool operator==(const InputReport&, const InputReport&) = default;
+};
+
 /// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
     double edge_length = 0.05; ///< the target, in units of the coordinates
     int improve_rounds = 12;   ///< at most so many rounds of improvement near the interface
     /// Longer edges away from the interface. The interface is cut by `edge_length` all the same.
     SizeOptions<double> sizes = {};
-    bool renumber = true; ///< order ids along a space-filling curve
+    bool renumber = true;         ///< order ids along a space-filling curve
+    Detail detail = Detail::thin; ///< what happens to detail finer than the mesh
+    /// Borders of shapes that are nearer to each other than this times the edge length are one;
+    /// 0.001 to 0.1.
+    double border_tolerance = 1e-3;
 };
 
 /// Triangulates `domain` with the outlines of `shapes` as its interface.
 ///
 /// The innermost shape that contains a triangle gives its phase; outside of all it is
-/// `exterior_phase`. A shape of that phase is a hole in the shape around it. Each outline edge
-/// longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all vertices of
-/// the outline stay, bit for bit (for float: as rounded).
+/// `exterior_phase`. A shape in one of the same phase is a hole, and so is one of `exterior_phase`.
+/// Shapes side by side share their border. What lies beyond the domain is clipped.
+///
+/// Each edge longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all
+/// vertices at edges of at least 0.2 `edge_length` stay, bit for bit (for float: as rounded), but
+/// for those within `InitialOptions::border_tolerance` of another shape or a side. What happens to
+/// finer detail, `InitialOptions::detail` says, and `report` what was left out.
 ///
 /// Where edges grow (`sizes`), the lattice is coarse, and triangles are broken up until they are as
 /// small as the targets of their vertices.
@@ -82,18 +129,18 @@ struct InitialOptions {
 /// Time and memory: O(1) per triangle, plus O(n log n) for the n vertices of the cut outlines, and
 /// for those of the complex where edges grow. The same input gives the same bits.
 ///
-/// \throw InputError where a coordinate, the edge length or a size makes no sense, an outline is
-/// degenerate or crosses or touches itself, another one or the side of the domain, a shape has the
-/// phase around it, or the complex would be absurdly large.
+/// \throw InputError where a coordinate, the edge length or a size makes no sense, outlines cross
+/// or overlap of which none lies in the other, a shape of `exterior_phase` lies in no other, or the
+/// complex would be absurdly large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
-                              const InitialOptions& options = {});
+                              const InitialOptions& options = {}, InputReport* report = nullptr);
 
 /// The same for shapes in braces. `{}` stands for no shapes: all of it is `exterior_phase`.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Shape> shapes,
-                              const InitialOptions& options = {}) {
-    return initial_complex<Real>(domain, std::span(shapes.begin(), shapes.size()), options);
+                              const InitialOptions& options = {}, InputReport* report = nullptr) {
+    return initial_complex<Real>(domain, std::span(shapes.begin(), shapes.size()), options, report);
 }
 
 /// Triangulates `domain` with a planar network of curves as its interface.
@@ -101,8 +148,8 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 /// The curves cut the domain into regions; each region gets the phase that all curves around it
 /// name for their side there. Several regions may have the same phase. Without curves, everything
 /// is `exterior_phase`. An end of a curve lies exactly on a side of the domain, or at exactly the
-/// coordinates of other ends: three and more make a junction. Edges are cut as those of outlines;
-/// all points given stay, bit for bit (for float: as rounded).
+/// coordinates of other ends: three and more make a junction. Edges are cut as those of outlines,
+/// and detail finer than the mesh is treated like theirs; ends stay, and closed curves of any size.
 ///
 /// Time and memory, and the same bits for the same input: as above.
 ///
@@ -113,6 +160,6 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 /// a region; or the complex would be absurdly large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
-                              const InitialOptions& options = {});
+                              const InitialOptions& options = {}, InputReport* report = nullptr);
 
 } // namespace dsc

@@ -114,4 +114,11 @@ template <class Real>
 void measure_sizes(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real edge_length,
                    Real time);
 
+/// The shortest target that an edge of the interface may have.
+template <class Real>
+[[nodiscard]] Real finest_on_interface(const SizeOptions<Real>& sizes, Real edge_length) {
+    const bool is_finer = sizes.on_interface && sizes.shortest > 0 && sizes.shortest < edge_length;
+    return is_finer ? sizes.shortest : edge_length;
+}
+
 } // namespace dsc

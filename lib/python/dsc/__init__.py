@@ -29,13 +29,13 @@ from .flows import Flow, curvature_flow, growth, interface_flow, swirl
 from .fluid import Fluid
 from .measures import area, circle, hausdorff, symmetric_difference
 from .mesh import Mesh, initial_complex
-from .records import Curve, Event, Interface, Report
+from .records import Curve, Event, InputReport, Interface, Report
 from .runs import run
 from .simulation import Simulation
 from .state import load, save
 
-__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "Interface", "Mesh", "Report",
-           "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow", "growth",
+__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "InputReport", "Interface", "Mesh",
+           "Report", "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow", "growth",
            "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save", "scenes", "swirl",
            "symmetric_difference"]
 

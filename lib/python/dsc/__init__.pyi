@@ -28,6 +28,15 @@ class Curve(NamedTuple):
     left: int
     right: int
 
+class InputReport(NamedTuple):
+    points: int
+    thinned: int
+    deviation: float
+    area_changed: float
+    dropped: int
+    area_dropped: float
+    clipped: int
+
 class Event(NamedTuple):
     kind: str
     time: float
@@ -88,6 +97,8 @@ class Mesh:
     def areas(self) -> dict[int, float]: ...
     @property
     def figures(self) -> Figures: ...
+    @property
+    def input_report(self) -> InputReport: ...
     @property
     def component_of(self) -> NDArray[np.int32]: ...
     @property
@@ -187,7 +198,7 @@ class Fluid:
 
 def initial_complex(
     domain: ArrayLike,
-    shapes: Mapping[int, ArrayLike | Sequence[ArrayLike]] | None = None,
+    shapes: Mapping[int, Any] | Any | None = None,
     *,
     curves: Sequence[tuple[ArrayLike, int, int]] | None = None,
     edge_length: float,
@@ -198,6 +209,8 @@ def initial_complex(
     by_distance: Callable[[float], float] | None = None,
     on_interface: Callable[[float, float, float], float] | None = None,
     changes_in_time: bool = False,
+    detail: str = "thin",
+    border_tolerance: float = 1e-3,
 ) -> Mesh: ...
 def interface_flow(function: Callable[[Interface, float], ArrayLike]) -> Flow: ...
 def swirl(amplitude: float = 1, period: float = 0) -> Flow: ...

@@ -83,3 +83,68 @@ def outlines(value, where):
     for one in found:
         _dsc.check_outline(one, where)
     return found
+
+
+def flat_points(value, where):
+    """An array of points (n, 2); a third column is left out if it is the same for all. Raises InputError."""
+    array = numbers(value, where)
+    if array is not None and array.ndim == 2 and array.shape[1] == 3:
+        if len(array) and np.ptp(array[:, 2]):
+            refuse("points at several heights", where, f"a third column from {array[:, 2].min():g} "
+                   f"to {array[:, 2].max():g}", "points of a plane")
+        array = array[:, :2]
+    return points(value if array is None else array, where)
+
+
+def polygons(value, where):
+    """Polygons as a list of (name, outline, holes). Raises InputError.
+
+    Takes one ring of points, a list or tuple of them, and whatever has a `__geo_interface__` or is
+    the dictionary that this stands for: polygons, collections, and features of these.
+    """
+    value = getattr(value, "__geo_interface__", value)
+    if isinstance(value, dict):
+        return _geometry(value, where)
+
+    def is_point(one):
+        array = None if hasattr(one, "__geo_interface__") or isinstance(one, dict) else numbers(one, where)
+        return array is not None and array.ndim == 1
+
+    if isinstance(value, (list, tuple)) and value and not any(map(is_point, value)):
+        return [one for k, part in enumerate(value) for one in polygons(part, f"{where}[{k}]")]
+    return [(where, flat_points(value, where), [])]
+
+
+def _geometry(value, where):
+    kind = value.get("type")
+    if kind == "Feature":
+        return _geometry(value["geometry"] or {"type": "GeometryCollection", "geometries": []}, where)
+    if kind in ("FeatureCollection", "GeometryCollection"):
+        parts = value["features" if kind == "FeatureCollection" else "geometries"]
+        return [one for k, part in enumerate(parts) for one in _geometry(part, f"{where}[{k}]")]
+    if kind not in ("Polygon", "MultiPolygon"):
+        refuse("a geometry without an area", where, kind, "Polygon, MultiPolygon, or collections of them")
+    regions = value["coordinates"] if kind == "MultiPolygon" else [value["coordinates"]]
+    names = [f"{where}[{k}]" for k in range(len(regions))] if kind == "MultiPolygon" else [where]
+    return [(name, rings[0], rings[1:])
+            for name, region in zip(names, regions) if region
+            for rings in [[flat_points(ring, name) for ring in region]]]
+
+
+def shapes(value):
+    """What `initial_complex` takes as shapes, as a list of (outline, phase, holes, name). Raises InputError."""
+    value = getattr(value, "__geo_interface__", value)
+    if value is None:
+        return []
+    if not isinstance(value, dict):
+        refuse("not shapes", "shapes", shown(value),
+               "a dict of phases and polygons, or what has a __geo_interface__")
+    if "type" in value:  # each feature is a phase: its own, or the next number
+        features = value["features"] if value["type"] == "FeatureCollection" else [value]
+        value = {}
+        for k, one in enumerate(features):
+            properties = one.get("properties") or {}
+            value.setdefault(properties.get("phase", k + 1), []).append(one)
+    return [(outline, phase(number, "shapes"), holes, name)
+            for number, one in value.items()
+            for name, outline, holes in polygons(one, f"shapes[{number!r}]")]

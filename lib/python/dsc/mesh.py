@@ -2,7 +2,7 @@
 """Meshes: what the compiled part has of them, and what people expect of an object in Python."""
 from . import _dsc, arrays, interplay
 from .data import Data
-from .records import Curve
+from .records import Curve, InputReport
 from .state import sealed, unsealed
 
 
@@ -68,6 +68,11 @@ class Mesh(_dsc.Mesh):
         """The area of each phase that occurs: a dict."""
         return {phase: one["area"] for phase, one in self.figures["phases"].items()}
 
+    @property
+    def input_report(self):
+        """What `initial_complex` left out because the mesh is too coarse for it: an `InputReport`."""
+        return InputReport(*self._input_report())
+
     def interface_curves(self):
         """The interface as curves, cut where more than two phases meet: a list of `Curve`."""
         return [Curve(*parts) for parts in self._interface_curves()]
@@ -108,7 +113,7 @@ def _curve(value, where):
     except (TypeError, ValueError):
         arrays.refuse("not a curve", where, arrays.shown(value),
                       "(points, phase on the left, phase on the right)")
-    return arrays.points(points, where), arrays.phase(left, where), arrays.phase(right, where)
+    return arrays.flat_points(points, where), arrays.phase(left, where), arrays.phase(right, where)
 
 
 def initial_complex(domain, shapes=None, *, curves=None, **options):
@@ -116,12 +121,10 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
     if len(corners) != 2:
         arrays.refuse("not a rectangle", "domain", f"{len(corners)} points",
                       "two: the lower left corner and the upper right one")
-    if shapes and curves is not None:
+    pieces = arrays.shapes(shapes)
+    if pieces and curves is not None:
         arrays.refuse("shapes and curves", "initial_complex", "both", "either")
-    if curves is None:
-        pieces = [(outline, arrays.phase(phase, "shapes")) for phase, value in (shapes or {}).items()
-                  for outline in arrays.outlines(value, f"shapes[{phase!r}]")]
-    else:
+    if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
     return Mesh._made_of(corners, pieces, options)
 
@@ -132,9 +135,12 @@ Parameters
 ----------
 domain : array_like (2, 2)
     The lower left corner of a rectangle, and the upper right one.
-shapes : dict, optional
-    For each phase a polygon (n, 2), or a list of polygons. The innermost polygon counts; outside of
-    all the phase is 0.
+shapes : dict, or what has a __geo_interface__; optional
+    For each phase a polygon (n, 2), or a list of polygons, or what has a `__geo_interface__`, such as
+    the polygons of shapely and the columns of geopandas. A frame of geopandas or a FeatureCollection
+    in place of the dict: each of its features is a phase, by its property `phase`, or from 1 on.
+    Polygons may be closed or open, run either way, share borders and reach beyond the domain. The
+    innermost polygon counts; one in another of the same phase is a hole; outside of all the phase is 0.
 curves : sequence of (points, left, right), optional
     In place of shapes: curves from junction to junction with the phases on both sides.
 **options

@@ -22,6 +22,31 @@ class Curve(namedtuple("Curve", "points is_closed left right")):
     __slots__ = ()
 
 
+class InputReport(namedtuple("InputReport", "points thinned deviation area_changed dropped area_dropped "
+                             "clipped")):
+    """What was left out of shapes or curves because the mesh is too coarse for it.
+
+    Attributes
+    ----------
+    points : int
+        How many there were.
+    thinned : int
+        Points left out of the interface.
+    deviation : float
+        The largest distance of these from the interface.
+    area_changed : float
+        By leaving them out: the sum over all curves of the net change.
+    dropped : int
+        Shapes that are too small.
+    area_dropped : float
+        Of these shapes.
+    clipped : int
+        Outlines and holes that were cut at the sides of the domain.
+    """
+
+    __slots__ = ()
+
+
 class Event(namedtuple("Event", "kind time place lost taken area")):
     """A change of topology.
 

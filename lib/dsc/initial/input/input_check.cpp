@@ -5,13 +5,20 @@
 #include "dsc/geometry/contacts.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/input/line.h"
+#include "dsc/initial/input/shape_network.h"
+#include "dsc/initial/input/thinning.h"
 #include "dsc/initial/rounding.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace dsc::initial {
@@ -37,6 +44,9 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double h = options.edge_length;
     require(std::isfinite(h) && h > 0, "edge_length", h, "a finite number above 0");
     require(options.improve_rounds >= 0, "improve_rounds", options.improve_rounds, "0 or more");
+    require(options.border_tolerance >= least_margin && options.border_tolerance <= 0.1,
+            "border_tolerance", options.border_tolerance,
+            to_text(least_margin) + " to 0.1 edge lengths");
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
     if (!low.allFinite() || !high.allFinite()) {
@@ -75,33 +85,44 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
 
 // --- one path ------------------------------------------------------------------------------------
 
-// An outline or a curve, while it is checked.
-struct Line {
-    CheckedPath path; // its points are rounded, and then cut
-    Points given;     // a closed line repeats its first point at the end
+std::size_t count_points(std::span<const Shape> shapes) {
+    std::size_t count = 0;
+    for (const Shape& shape : shapes) {
+        count += shape.outline.size();
+        for (const Points& hole : shape.holes) {
+            count += hole.size();
+        }
+    }
+    return count;
+}
 
-    [[nodiscard]] bool is_outline() const { return !path.right; }
-    [[nodiscard]] std::string point(std::size_t i) const {
-        return path.name + ", point " + std::to_string(i);
+std::size_t count_points(std::span<const Curve> curves) {
+    std::size_t count = 0;
+    for (const Curve& curve : curves) {
+        count += curve.points.size();
     }
-    [[nodiscard]] std::string edge(std::size_t i) const {
-        return path.name + ", edge " + std::to_string(i);
+    return count;
+}
+
+void number_points(std::vector<Line>& lines) {
+    for (Line& line : lines) {
+        line.numbers.resize(line.given.size());
+        std::iota(line.numbers.begin(), line.numbers.end(), 0U);
     }
-    [[nodiscard]] std::string ends_of_edge(std::size_t i) const {
-        return to_text(given[i]) + " to " + to_text(given[i + 1]);
-    }
-};
+}
 
 std::vector<Line> lines_of(std::span<const Shape> shapes) {
     std::vector<Line> lines(shapes.size());
     for (std::size_t k = 0; k < shapes.size(); ++k) {
-        lines[k].path.name = "shape " + std::to_string(k);
+        lines[k].path.name = name_of(shapes, k);
         lines[k].path.left = shapes[k].phase;
         lines[k].given = shapes[k].outline;
-        if (!lines[k].given.empty()) {
-            lines[k].given.push_back(lines[k].given.front());
+        if (Points& given = lines[k].given;
+            given.size() == 1 || (!given.empty() && given.front() != given.back())) {
+            given.push_back(Point<double>(given.front()));
         }
     }
+    number_points(lines);
     return lines;
 }
 
@@ -113,6 +134,7 @@ std::vector<Line> lines_of(std::span<const Curve> curves) {
         lines[k].path.right = curves[k].right;
         lines[k].given = curves[k].points;
     }
+    number_points(lines);
     return lines;
 }
 
@@ -124,40 +146,61 @@ void check_phases(const CheckedPath& path) {
     require(path.right != path.left, path.name, path.left, "two phases that differ on its sides");
 }
 
-// Rounds the points: enough of them, all finite, and no two that follow each other the same.
+[[noreturn]] void refuse_doubled(const Line& line, std::size_t edge) {
+    throw InputError(
+        {.what = line.given[edge] == line.given[edge + 1]
+                     ? "the edge has no length"
+                     : "points collide when rounded to the scalar of the complex",
+         .where = line.edge(edge),
+         .value = line.ends_of_edge(edge),
+         .allowed = "points that differ from the one before, unless detail may be left out"});
+}
+
+// Keeps the points with these indices.
+void keep_points(Line& line, std::span<const std::uint32_t> kept) {
+    const auto keep = [kept](auto& list) {
+        std::remove_cvref_t<decltype(list)> left;
+        left.reserve(kept.size());
+        std::ranges::transform(kept, std::back_inserter(left),
+                               [&](std::uint32_t i) { return list[i]; });
+        list.swap(left);
+    };
+    keep(line.path.points);
+    keep(line.given);
+    keep(line.numbers);
+}
+
+// Rounds the points, which must be finite. Of those that are the same as the one before, the first
+// is left; there must be enough of them then.
 template <class Real>
-Points round_points(const Line& line) {
-    const Points& given = line.given;
-    const bool closed = given.size() > 1 && given.front() == given.back();
-    const std::size_t count = given.size() - (closed ? 1 : 0);
-    if (count < (closed ? 3 : 2)) {
+void round_points(Line& line, Detail detail, InputReport& report) {
+    std::vector<std::uint32_t> kept;
+    Points& points = line.path.points;
+    points.reserve(line.given.size());
+    for (std::uint32_t i = 0; i < line.given.size(); ++i) {
+        points.push_back(rounded<Real>(line.given[i]));
+        if (!line.given[i].allFinite() || !points.back().allFinite()) {
+            throw InputError({.what = "a coordinate is not finite",
+                              .where = line.point(i),
+                              .value = to_text(line.given[i]),
+                              .allowed = "finite coordinates"});
+        }
+        if (i == 0 || points[i - 1] != points[i]) {
+            kept.push_back(i);
+        } else if (detail == Detail::keep && line.given.size() > 2) {
+            refuse_doubled(line, i - 1);
+        }
+    }
+    report.thinned += line.given.size() - kept.size();
+    keep_points(line, kept);
+    const std::size_t count = points.size() - (line.is_closed() ? 1 : 0);
+    const bool may_be_dropped = line.is_outline() && detail == Detail::thin && count > 0;
+    if (!may_be_dropped && count < (line.is_closed() || line.is_outline() ? 3 : 2)) {
         throw InputError({.what = "too few points",
                           .where = line.path.name,
                           .value = std::to_string(count),
                           .allowed = "2 or more, and 3 or more different ones around a region"});
     }
-    Points points;
-    points.reserve(given.size());
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        points.push_back(rounded<Real>(given[i]));
-        if (!given[i].allFinite() || !points.back().allFinite()) {
-            throw InputError({.what = "a coordinate is not finite",
-                              .where = line.point(i),
-                              .value = to_text(given[i]),
-                              .allowed = "finite coordinates"});
-        }
-        if (i > 0 && points[i - 1] == points[i]) {
-            throw InputError({.what = given[i - 1] == given[i]
-                                          ? "the edge has no length"
-                                          : "points collide when rounded to the scalar of the "
-                                            "complex",
-                              .where = line.edge(i - 1),
-                              .value = line.ends_of_edge(i - 1),
-                              .allowed = "points that differ from the one before; the first point "
-                                         "of an outline is not repeated at the end"});
-        }
-    }
-    return points;
 }
 
 // The distance of a point from the nearest side of the domain; negative outside.
@@ -168,8 +211,6 @@ double distance_to_sides(const Lattice& lattice, const Point<double>& p) {
 
 void check_places(const Line& line, const Lattice& lattice, double h) {
     const Points& points = line.path.points;
-    Point<double> low = points.front();
-    Point<double> high = points.front();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool may_touch = !line.is_outline() && (i == 0 || i + 1 == points.size());
         const double distance = distance_to_sides(lattice, points[i]);
@@ -183,13 +224,7 @@ void check_places(const Line& line, const Lattice& lattice, double h) {
                             to_text(lattice.high) +
                             "; the ends of a curve may lie on them exactly"});
         }
-        low = low.cwiseMin(points[i]);
-        high = high.cwiseMax(points[i]);
     }
-    const double side = (high - low).minCoeff();
-    require(!line.is_outline() || h <= side, line.path.name, h,
-            "an edge length of at most " + to_text(side) +
-                ", the smaller side of the shape's bounding box");
 }
 
 // A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
@@ -202,11 +237,18 @@ double piece_count(const Line& line, std::size_t edge, double h) {
 
 // Rounds each line, and makes the checks that need no other one.
 template <class Real>
-void check_lines(std::vector<Line>& lines, const Lattice& lattice, double h) {
+void check_lines(std::vector<Line>& lines, const Lattice& lattice, const InitialOptions& options,
+                 InputReport& report) {
+    const double h = options.edge_length;
     double pieces = 0;
     for (Line& line : lines) {
         check_phases(line.path);
-        line.path.points = round_points<Real>(line);
+        round_points<Real>(line, options.detail, report);
+    }
+    std::erase_if(lines, [&](const Line& line) {
+        return line.is_outline() && is_dropped(line.path.points, line.path.name, options, report);
+    });
+    for (const Line& line : lines) {
         check_places(line, lattice, h);
         for (std::size_t i = 0; i + 1 < line.given.size(); ++i) {
             pieces += piece_count(line, i, h);
@@ -223,7 +265,8 @@ void check_lines(std::vector<Line>& lines, const Lattice& lattice, double h) {
 class Network {
 public:
     Network(std::span<const Line> lines, const Lattice& lattice, double h)
-        : lines_(lines), lattice_(lattice), h_(h), ends_(lines.size()) {}
+        : lines_(lines), lattice_(lattice), h_(h), ends_(lines.size()),
+          is_loop_(lines.size(), false) {}
 
     // An end inside the domain must meet another one.
     void join_ends() {
@@ -233,6 +276,7 @@ public:
             const Points& points = lines_[k].path.points;
             if (lines_[k].is_outline()) {
                 ends_[k].fill(number(points.front()));
+                is_loop_[k] = true;
             } else {
                 ends.push_back({points.front(), given.front(), k, 0});
                 ends.push_back({points.back(), given.back(), k, 1});
@@ -254,9 +298,14 @@ public:
             if (after == i + 1) {
                 check_single(ends[i]);
             }
+            const std::uint32_t k = ends[i].line;
+            is_loop_[k] = is_loop_[k] || (after == i + 2 && ends[i + 1].line == k);
             i = after;
         }
     }
+
+    // Whether a line is closed and meets no other one.
+    [[nodiscard]] bool is_loop(std::uint32_t k) const { return is_loop_[k]; }
 
     // The points of a line and of the pieces that its edges are cut into, rounded.
     template <class Real>
@@ -371,13 +420,69 @@ private:
     const Lattice& lattice_;
     double h_;
     std::vector<std::array<std::uint32_t, 2>>
-        ends_; // by line: the points that it begins and ends at
+        ends_;                 // by line: the points that it begins and ends at
+    std::deque<bool> is_loop_; // by line
     Points points_;
     std::vector<NetworkLine> edges_;
     std::vector<std::array<std::uint32_t, 2>> edge_names_; // by edge: its line, and its place there
     std::vector<NetworkLine> pieces_;
     std::vector<std::uint32_t> edge_of_piece_;
 };
+
+void check_detail(const Line& line, double h) {
+    for (std::size_t i = 0; i + 1 < line.path.points.size(); ++i) {
+        const double length = distance(line.path.points[i], line.path.points[i + 1]);
+        if (length < shortest_kept_edge * h) {
+            throw InputError({.what = "the edge is too short for the mesh",
+                              .where = line.edge(i),
+                              .value = to_text(length),
+                              .allowed = "an edge length of the mesh of at most " +
+                                         to_text(length / shortest_kept_edge) +
+                                         ", or detail left out"});
+        }
+    }
+}
+
+// Leaves out detail that is finer than the mesh. Returns whether there was any.
+bool thin_lines(std::vector<Line>& lines, const Network& network, double h, InputReport& report) {
+    std::vector<Strand> strands;
+    for (std::uint32_t k = 0; k < lines.size(); ++k) {
+        strands.push_back({lines[k].path.points, !network.is_loop(k)});
+    }
+    const std::size_t before = report.thinned;
+    std::vector<std::vector<std::uint32_t>> kept = thin(strands, h, report);
+    for (std::uint32_t k = 0; k < lines.size(); ++k) {
+        if (network.is_loop(k)) {
+            kept[k].push_back(kept[k].front());
+        }
+        keep_points(lines[k], kept[k]);
+    }
+    return report.thinned > before;
+}
+
+// Checks that lines are apart, leaves out detail, and cuts what is left into pieces.
+template <class Real>
+std::vector<Points> cut_apart(std::vector<Line>& lines, const Lattice& lattice,
+                              const InitialOptions& options, InputReport& report) {
+    const double scale = finest_on_interface(options.sizes, options.edge_length);
+    for (bool is_thinned = options.detail == Detail::keep;; is_thinned = true) {
+        Network network(lines, lattice, options.edge_length);
+        network.join_ends();
+        std::vector<Points> cut;
+        for (std::uint32_t k = 0; k < lines.size(); ++k) {
+            cut.push_back(network.cut<Real>(k));
+        }
+        network.check_contacts();
+        if (is_thinned || !thin_lines(lines, network, scale, report)) {
+            if (options.detail == Detail::keep) {
+                for (const Line& line : lines) {
+                    check_detail(line, scale);
+                }
+            }
+            return cut;
+        }
+    }
+}
 
 // From the turn at the lowest of the leftmost points, which is convex in a simple polygon.
 bool is_counter_clockwise(std::span<const Point<double>> points) {
@@ -394,18 +499,22 @@ bool is_counter_clockwise(std::span<const Point<double>> points) {
 
 template <class Real, class Drawn>
 CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
-                         const InitialOptions& options) {
-    CheckedInput input{check_domain<Real>(domain, options), {}};
-    std::vector<Line> lines = lines_of(drawn);
-    const double h = options.edge_length;
-    check_lines<Real>(lines, input.lattice, h);
-    Network network(lines, input.lattice, h);
-    network.join_ends();
-    std::vector<Points> cut;
-    for (std::uint32_t k = 0; k < lines.size(); ++k) {
-        cut.push_back(network.cut<Real>(k));
+                         const InitialOptions& options, InputReport& report) {
+    CheckedInput input{check_domain<Real>(domain, options)};
+    std::vector<Line> lines;
+    std::optional<ShapeNetwork> network;
+    if constexpr (std::is_same_v<Drawn, Shape>) {
+        network = network_of<Real>(drawn, input.lattice, options, report);
     }
-    network.check_contacts();
+    if (network) {
+        lines = std::move(network->lines);
+        input.background = network->background;
+    } else {
+        lines = lines_of(drawn);
+    }
+    check_lines<Real>(lines, input.lattice, options, report);
+    report.points = count_points(drawn);
+    std::vector<Points> cut = cut_apart<Real>(lines, input.lattice, options, report);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         CheckedPath& path = input.paths.emplace_back(std::move(lines[k].path));
         const bool clockwise =
@@ -422,7 +531,7 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
 
 #define DSC_INSTANTIATE(Real, Drawn)                                                               \
     template CheckedInput check_input<Real>(const Rectangle&, std::span<const Drawn>,              \
-                                            const InitialOptions&);
+                                            const InitialOptions&, InputReport&);
 DSC_INSTANTIATE(double, Shape)
 DSC_INSTANTIATE(double, Curve)
 DSC_INSTANTIATE(float, Shape)

@@ -20,6 +20,8 @@ inline constexpr double most_pieces = most_triangles / 4;
 /// Qualities compare products of four lengths, and quotients of these: they must stay within the
 /// range of doubles. A simulation asks for more: `least_edge_length` in triangle.h.
 inline constexpr double least_initial_edge_length = 1e-100;
+/// Detail is kept in edges that are at least this times the edge length long.
+inline constexpr double shortest_kept_edge = 0.05;
 /// An edge length must span so many steps of the scalar at the largest coordinate.
 inline constexpr double least_steps = 64;
 
@@ -35,14 +37,15 @@ struct CheckedPath {
 
 struct CheckedInput {
     Lattice lattice;
-    std::vector<CheckedPath> paths;
+    std::vector<CheckedPath> paths{};
+    Phase background = exterior_phase; ///< of the domain, if there is no path
 };
 
 /// What is drawn is outlines (`Shape`) or curves. Throws InputError as `initial_complex` documents,
-/// except for phases that contradict each other: `fill_phases` finds these. O(n log n) for n
-/// pieces.
+/// except for phases that contradict each other: `fill_phases` finds these. Adds to `report` what
+/// was left out. O(n log n) for n pieces.
 template <class Real, class Drawn>
 CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
-                         const InitialOptions& options);
+                         const InitialOptions& options, InputReport& report);
 
 } // namespace dsc::initial

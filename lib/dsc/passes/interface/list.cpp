@@ -4,14 +4,18 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/geometry/points.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <random>
+#include <utility>
 
 namespace dsc {
 
@@ -95,18 +99,86 @@ void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list,
     list.swap(ordered);
 }
 
+namespace {
+
+// Measures turns of the interface at the scale of an arc.
 template <class Real>
-void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees) {
-    const auto cosine = static_cast<Real>(std::cos(degrees * std::numbers::pi / 180));
-    Ring<Real> ring;
-    for (const std::uint32_t v : list) {
-        if (!gather(complex, Region{}, v, ring)) {
-            continue;
+class Turns {
+public:
+    Turns(const Complex<Real>& complex, Real arc) : complex_(complex), arc_(arc) {}
+
+    // Where the curve turns by more than the angle of this cosine, and most sharply within the arc.
+    bool is_corner(std::uint32_t v, Real cosine) {
+        near_.clear();
+        const auto ends = arc_ends(v, &near_);
+        const Point<Real> at = complex_.position(Vertex{v});
+        if (!ends || turns_less<Real>(ends->front(), at, ends->back(), cosine)) {
+            return false;
         }
-        const Spokes spokes = interface_spokes(ring);
-        if (spokes.count == 2 &&
-            !turns_less<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
-                              link_point(ring, spokes.second), cosine)) {
+        const Real turn = std::abs(turn_angle<Real>(ends->front(), at, ends->back()));
+        return std::ranges::none_of(near_, [&](std::uint32_t u) {
+            const auto there = arc_ends(u, nullptr);
+            const Real other =
+                there ? std::abs(turn_angle<Real>(there->front(), complex_.position(Vertex{u}),
+                                                  there->back()))
+                      : Real(0);
+            return other > turn || (other == turn && u < v);
+        });
+    }
+
+private:
+    using Ends = std::array<Point<Real>, 2>;
+
+    // The ends of the arcs on both sides of a vertex of one curve inside the domain; the vertices
+    // before these ends are appended to `near`.
+    std::optional<Ends> arc_ends(std::uint32_t v, std::vector<std::uint32_t>* near) {
+        if (!gather(complex_, Region{}, v, ring_)) {
+            return std::nullopt;
+        }
+        const Spokes spokes = interface_spokes(ring_);
+        if (spokes.count != 2) {
+            return std::nullopt;
+        }
+        const std::array<std::uint32_t, 2> first{ring_.link[spokes.first],
+                                                 ring_.link[spokes.second]};
+        return Ends{arc_end(v, first[0], near), arc_end(v, first[1], near)};
+    }
+
+    Point<Real> arc_end(std::uint32_t v, std::uint32_t next, std::vector<std::uint32_t>* near) {
+        Real length = 0;
+        for (std::uint32_t from = v;;) {
+            const Point<Real> end = complex_.position(Vertex{next});
+            length += distance<Real>(complex_.position(Vertex{from}), end);
+            if (length >= arc_ || !gather(complex_, Region{}, next, ring_)) {
+                return end;
+            }
+            const Spokes spokes = interface_spokes(ring_);
+            if (spokes.count != 2 || !ring_.closed || next == v) {
+                return end; // a junction, a side of the domain, or a curve shorter than the arc
+            }
+            if (near != nullptr) {
+                near->push_back(next);
+            }
+            const bool is_first = ring_.link[spokes.first] == from;
+            from = std::exchange(next, ring_.link[is_first ? spokes.second : spokes.first]);
+        }
+    }
+
+    const Complex<Real>& complex_;
+    Real arc_;
+    Ring<Real> ring_;
+    std::vector<std::uint32_t> near_;
+};
+
+} // namespace
+
+template <class Real>
+void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
+                  Real arc) {
+    const auto cosine = static_cast<Real>(std::cos(degrees * std::numbers::pi / 180));
+    Turns<Real> turns(complex, arc);
+    for (const std::uint32_t v : list) {
+        if (turns.is_corner(v, cosine)) {
             complex.vertices[v].flags |= vertex_corner;
         }
     }
@@ -151,7 +223,7 @@ bool is_moved(const Complex<Real>& complex, const Options<Real>& options, Vertex
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::vector<std::uint32_t> collect_interface(const Complex<Real>&);                   \
     template void order_interface(Complex<Real>&, std::vector<std::uint32_t>&, std::uint32_t);     \
-    template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double);         \
+    template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double, Real);   \
     template bool is_carried(const Complex<Real>&, std::span<const Phase>, Vertex);                \
     template std::vector<std::uint32_t> collect_moved(const Complex<Real>&, const Options<Real>&); \
     template bool is_moved(const Complex<Real>&, const Options<Real>&, Vertex);

@@ -25,11 +25,18 @@ std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex);
 template <class Real>
 void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list, std::uint32_t epoch);
 
+/// The turn of a curve is measured between chords of arcs of this share of the edge length: what
+/// is finer is no feature at the scale of the mesh.
+inline constexpr double feature_arc = 0.2;
+
 /// Marks as corners those interface vertices of `list` at which the curve turns by more than
-/// `degrees`. Marks are permanent: a corner that a flow opens stays a corner, and a tip that
-/// becomes sharp later does not become one. O(list).
+/// `degrees`, measured over arcs of at least this length on both sides; of several on one arc, the
+/// one with the sharpest turn. Marks are permanent: a corner that a flow opens stays a corner, and
+/// a tip that becomes sharp later does not become one. O(list) where edges are no shorter than the
+/// arc.
 template <class Real>
-void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees);
+void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
+                  Real arc);
 
 /// Whether a living vertex lies inside one of these phases, away from the domain boundary.
 /// O(degree).

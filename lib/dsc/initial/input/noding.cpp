@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: MIT
+#include "dsc/initial/input/noding.h"
+
+#include "dsc/base/error.h"
+#include "dsc/geometry/contacts.h"
+#include "dsc/geometry/points.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/initial/rounding.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+namespace dsc::initial {
+
+namespace {
+
+bool is_left_of(const Point<double>& a, const Point<double>& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+// --- the sides of the domain ---------------------------------------------------------------------
+
+// The half plane on one side of an upright or a level line.
+struct Side {
+    int axis;
+    double place;
+    bool is_low; // the domain lies above it
+
+    [[nodiscard]] double distance(const Point<double>& p) const {
+        return is_low ? p[axis] - place : place - p[axis];
+    }
+};
+
+std::array<Side, 4> sides_of(const Lattice& lattice) {
+    return {{{0, lattice.low.x(), true},
+             {0, lattice.high.x(), false},
+             {1, lattice.low.y(), true},
+             {1, lattice.high.y(), false}}};
+}
+
+// Where an edge meets a side; the same for both of its ways.
+template <class Real>
+Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
+    if (is_left_of(b, a)) {
+        std::swap(a, b);
+    }
+    const double share = (side.place - a[side.axis]) / (b[side.axis] - a[side.axis]);
+    Point<double> p = rounded<Real>(Point<double>(a + share * (b - a)));
+    p[side.axis] = side.place;
+    return p;
+}
+
+// What lies on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant polygon
+// clipping", 1974). Edges along the line that belong to no part of the shape are there twice.
+template <class Real>
+void clip(Loop& loop, const Side& side) {
+    Loop result;
+    const std::size_t count = loop.points.size();
+    const auto add = [&](const Point<double>& p, std::uint32_t number) {
+        if (result.points.empty() || result.points.back() != p) {
+            result.points.push_back(p);
+            result.numbers.push_back(number);
+        }
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const Point<double>& a = loop.points[i];
+        const Point<double>& b = loop.points[i + 1 == count ? 0 : i + 1];
+        const double before = side.distance(a);
+        const double after = side.distance(b);
+        if (before >= 0) {
+            add(a, loop.numbers[i]);
+        }
+        if ((before < 0 && after > 0) || (before > 0 && after < 0)) {
+            add(crossing<Real>(side, a, b), loop.numbers[i]);
+        }
+    }
+    while (result.points.size() > 1 && result.points.front() == result.points.back()) {
+        result.points.pop_back();
+        result.numbers.pop_back();
+    }
+    loop.points.swap(result.points);
+    loop.numbers.swap(result.numbers);
+}
+
+// Of its points from a side; negative beyond it.
+double least_distance(const Loop& loop, const Side& side) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point<double>& p : loop.points) {
+        least = std::min(least, side.distance(p));
+    }
+    return least;
+}
+
+// Points hardly beside a side are moved onto it.
+void move_to_side(Loop& loop, const Side& side, double tolerance) {
+    for (Point<double>& p : loop.points) {
+        if (std::abs(side.distance(p)) < tolerance) {
+            p[side.axis] = side.place;
+        }
+    }
+}
+
+// --- points and edges ----------------------------------------------------------------------------
+
+class Noding {
+public:
+    Noding(std::span<const Loop> loops, const Lattice& lattice, double tolerance)
+        : loops_(loops), lattice_(lattice), tolerance_(tolerance) {
+        for (const Loop& loop : loops) {
+            points_.insert(points_.end(), loop.points.begin(), loop.points.end());
+        }
+        const std::size_t total = points_.size();
+        std::ranges::sort(points_, is_left_of);
+        points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+        touches_ = points_.size() < total;
+        loops_at_.resize(points_.size());
+        for (std::uint32_t k = 0; k < loops.size(); ++k) {
+            Way& chain = chains_.emplace_back();
+            for (std::uint32_t i = 0; i < loops[k].points.size(); ++i) {
+                const auto at = std::ranges::lower_bound(points_, loops[k].points[i], is_left_of);
+                const auto id = static_cast<std::uint32_t>(at - points_.begin());
+                chain.push_back({id, loops[k].numbers[i]});
+                add_loop(id, k);
+            }
+        }
+    }
+
+    // Points of different loops within the tolerance become one.
+    void join_points() {
+        struct Near {
+            double distance;
+            std::uint32_t one;
+            std::uint32_t other;
+        };
+        std::vector<Near> all;
+        for (std::uint32_t i = 0; i < points_.size(); ++i) {
+            for (std::uint32_t j = i + 1;
+                 j < points_.size() && points_[j].x() - points_[i].x() <= tolerance_; ++j) {
+                if (const double d = distance(points_[i], points_[j]); d <= tolerance_) {
+                    all.push_back({d, i, j});
+                }
+            }
+        }
+        std::ranges::sort(all, [](const Near& a, const Near& b) {
+            return std::tie(a.distance, a.one, a.other) < std::tie(b.distance, b.one, b.other);
+        });
+        std::vector<std::uint32_t> root(points_.size());
+        std::iota(root.begin(), root.end(), 0U);
+        const auto root_of = [&](std::uint32_t i) {
+            while (root[i] != i) {
+                i = root[i];
+            }
+            return i;
+        };
+        for (const auto& [d, one, other] : all) {
+            std::uint32_t a = root_of(one);
+            std::uint32_t b = root_of(other);
+            std::vector<std::uint32_t> common;
+            std::ranges::set_intersection(loops_at_[a], loops_at_[b], std::back_inserter(common));
+            if (a == b || !common.empty()) {
+                continue;
+            }
+            if (is_on_side(points_[b]) && !is_on_side(points_[a])) {
+                std::swap(a, b);
+            }
+            for (const std::uint32_t k : loops_at_[b]) {
+                add_loop(a, k);
+            }
+            loops_at_[b].clear();
+            root[b] = a;
+            touches_ = true;
+        }
+        for (Way& chain : chains_) {
+            for (auto& [id, number] : chain) {
+                id = root_of(id);
+            }
+        }
+    }
+
+    // A point on an edge, or of another loop within the tolerance of it, becomes part of it. An
+    // edge that bends so may come to lie on further points.
+    void join_edges() {
+        bool any = true;
+        while (any) {
+            any = false;
+            for (std::uint32_t k = 0; k < chains_.size(); ++k) {
+                Way whole;
+                for (std::size_t i = 0; i < chains_[k].size(); ++i) {
+                    whole.push_back(chains_[k][i]);
+                    const std::uint32_t next =
+                        chains_[k][i + 1 == chains_[k].size() ? 0 : i + 1].id;
+                    for (const std::uint32_t id : on_edge(k, chains_[k][i].id, next)) {
+                        whole.push_back({id, chains_[k][i].number});
+                        add_loop(id, k);
+                        any = true;
+                    }
+                }
+                chains_[k].swap(whole);
+            }
+            touches_ = touches_ || any;
+        }
+    }
+
+    NodedShapes result() {
+        std::vector<std::array<std::uint32_t, 5>> all; // ends, shape, loop, number
+        for (std::uint32_t k = 0; k < chains_.size(); ++k) {
+            for (std::size_t i = 0; i < chains_[k].size(); ++i) {
+                const auto& [from, number] = chains_[k][i];
+                const std::uint32_t to = chains_[k][i + 1 == chains_[k].size() ? 0 : i + 1].id;
+                if (from != to) {
+                    all.push_back(
+                        {std::min(from, to), std::max(from, to), loops_[k].shape, k, number});
+                }
+            }
+        }
+        std::ranges::sort(all);
+        NodedShapes shapes;
+        for (const auto& [from, to, shape, loop, number] : all) {
+            if (shapes.edges.empty() || shapes.edges.back().from != from ||
+                shapes.edges.back().to != to) {
+                shapes.edges.push_back({from, to, {}, loop, number});
+            }
+            std::vector<std::uint32_t>& list = shapes.edges.back().shapes;
+            if (!list.empty() && list.back() == shape) {
+                list.pop_back(); // there and back
+            } else {
+                list.push_back(shape);
+            }
+        }
+        std::erase_if(shapes.edges, [](const NodedEdge& edge) { return edge.shapes.empty(); });
+        shapes.points = std::move(points_);
+        check(shapes);
+        shapes.is_as_given = !touches_;
+        return shapes;
+    }
+
+private:
+    struct Place {
+        std::uint32_t id;
+        std::uint32_t number; // of the edge that begins there
+    };
+    using Way = std::vector<Place>;
+
+    void add_loop(std::uint32_t id, std::uint32_t loop) {
+        std::vector<std::uint32_t>& list = loops_at_[id];
+        const auto at = std::ranges::lower_bound(list, loop);
+        if (at == list.end() || *at != loop) {
+            list.insert(at, loop);
+        }
+    }
+
+    [[nodiscard]] bool is_on_side(const Point<double>& p) const {
+        return std::ranges::any_of(sides_of(lattice_),
+                                   [&](const Side& side) { return side.distance(p) == 0; });
+    }
+
+    // The points to be put into an edge of a loop, in their order along it.
+    [[nodiscard]] std::vector<std::uint32_t> on_edge(std::uint32_t loop, std::uint32_t from,
+                                                     std::uint32_t to) const {
+        const Point<double>& a = points_[from];
+        const Point<double>& b = points_[to];
+        const Point<double> low = a.cwiseMin(b).array() - tolerance_;
+        const Point<double> high = a.cwiseMax(b).array() + tolerance_;
+        std::vector<std::pair<double, std::uint32_t>> found;
+        auto at =
+            std::ranges::lower_bound(points_, low.x(), {}, [](const auto& p) { return p.x(); });
+        for (; at != points_.end() && at->x() <= high.x(); ++at) {
+            const auto id = static_cast<std::uint32_t>(at - points_.begin());
+            if (at->y() >= low.y() && at->y() <= high.y() && id != from && id != to &&
+                !loops_at_[id].empty() && is_part_of(*at, a, b, loop, id)) {
+                found.emplace_back((*at - a).dot(b - a), id);
+            }
+        }
+        std::ranges::sort(found);
+        std::vector<std::uint32_t> ids;
+        std::ranges::transform(found, std::back_inserter(ids),
+                               [](const auto& one) { return one.second; });
+        return ids;
+    }
+
+    [[nodiscard]] bool is_part_of(const Point<double>& p, const Point<double>& a,
+                                  const Point<double>& b, std::uint32_t loop,
+                                  std::uint32_t id) const {
+        if (distance(p, a, b) > tolerance_) {
+            return false;
+        }
+        if (orientation<double>(a, b, p) == 0 && box_contains<double>(a, b, p)) {
+            return true;
+        }
+        return distance(p, a) > tolerance_ && distance(p, b) > tolerance_ &&
+               !std::ranges::binary_search(loops_at_[id], loop);
+    }
+
+    void check(const NodedShapes& shapes) const {
+        std::vector<NetworkLine> lines;
+        for (const NodedEdge& edge : shapes.edges) {
+            lines.push_back({edge.from, edge.to});
+        }
+        const auto contact = find_contact(shapes.points, lines);
+        if (!contact) {
+            return;
+        }
+        const NodedEdge* first = &shapes.edges[contact->line];
+        const NodedEdge* second = &shapes.edges[contact->other];
+        if (std::tie(second->loop, second->number) < std::tie(first->loop, first->number)) {
+            std::swap(first, second);
+        }
+        const auto name = [this](const NodedEdge& edge) {
+            return loops_[edge.loop].name + ", edge " + std::to_string(edge.number);
+        };
+        throw InputError({.what = "two edges cross, touch or overlap",
+                          .where = name(*first),
+                          .value = "contact with " + name(*second) + " at " +
+                                   to_text(place_of(shapes.points, *first, *second)),
+                          .allowed = "outlines that do not cross themselves or each other"});
+    }
+
+    // About where two edges cross.
+    static Point<double> place_of(std::span<const Point<double>> points, const NodedEdge& one,
+                                  const NodedEdge& other) {
+        const Point<double>& a = points[one.from];
+        const Point<double> along = points[one.to] - a;
+        const Point<double>& c = points[other.from];
+        const Point<double> across = points[other.to] - c;
+        const double turn = cross<double>(along, across);
+        const double share = turn == 0 ? 0.5 : cross<double>(c - a, across) / turn;
+        return a + std::clamp(share, 0.0, 1.0) * along;
+    }
+
+    std::span<const Loop> loops_;
+    const Lattice& lattice_;
+    double tolerance_;
+    std::vector<Point<double>> points_;                // from left to right
+    std::vector<std::vector<std::uint32_t>> loops_at_; // by point, ascending; empty: it was joined
+    std::vector<Way> chains_;                          // by loop
+    bool touches_ = false;
+};
+
+} // namespace
+
+bool is_along_side(const Lattice& lattice, const Point<double>& a, const Point<double>& b) {
+    return std::ranges::any_of(sides_of(lattice), [&](const Side& side) {
+        return side.distance(a) == 0 && side.distance(b) == 0;
+    });
+}
+
+template <class Real>
+NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance) {
+    std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
+    std::size_t clipped = 0;
+    bool is_inside = true;
+    for (Loop& loop : loops) {
+        bool is_clipped = false;
+        for (const Side& side : sides_of(lattice)) {
+            const double nearest = least_distance(loop, side);
+            if (nearest < tolerance) {
+                is_inside = false;
+                move_to_side(loop, side, tolerance);
+                is_clipped = is_clipped || nearest <= -tolerance;
+                clip<Real>(loop, side);
+            }
+            if (loop.points.empty()) {
+                break;
+            }
+        }
+        clipped += is_clipped ? 1 : 0;
+    }
+    std::erase_if(loops, [](const Loop& loop) { return loop.points.size() < 3; });
+    Noding noding(loops, lattice, tolerance);
+    noding.join_points();
+    noding.join_edges();
+    NodedShapes result = noding.result();
+    result.clipped = clipped;
+    result.is_as_given = result.is_as_given && is_inside;
+    return result;
+}
+
+template NodedShapes node_shapes<double>(std::vector<Loop>&, const Lattice&, double);
+template NodedShapes node_shapes<float>(std::vector<Loop>&, const Lattice&, double);
+
+} // namespace dsc::initial

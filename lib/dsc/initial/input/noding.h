@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The borders of shapes as edges that have nothing in common but ends: shapes are clipped at the
+// sides of the domain, points within a tolerance of another shape's border become part of it.
+#pragma once
+
+#include "dsc/initial/build/lattice.h"
+#include "dsc/initial/initial_complex.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::initial {
+
+/// An outline or a hole of a shape; the first point is not repeated.
+struct Loop {
+    std::uint32_t shape = 0;
+    std::string name;                   ///< in messages
+    std::vector<Point<double>> points;  ///< representable in the scalar
+    std::vector<std::uint32_t> numbers; ///< of these points, as the caller counts them
+};
+
+/// An edge between two points, the smaller number first.
+struct NodedEdge {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    std::vector<std::uint32_t> shapes; ///< whose border it is: the others have it twice, or not
+    std::uint32_t loop = 0;            ///< one that it belongs to
+    std::uint32_t number = 0;          ///< of the edge there
+};
+
+struct NodedShapes {
+    std::vector<Point<double>> points;
+    std::vector<NodedEdge> edges;
+    std::size_t clipped = 0;  ///< loops that were cut at the sides
+    bool is_as_given = false; ///< nothing was clipped or joined, and nothing touches
+};
+
+/// Whether the edge between two points lies on a side of the domain.
+[[nodiscard]] bool is_along_side(const Lattice& lattice, const Point<double>& a,
+                                 const Point<double>& b);
+
+/// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross.
+template <class Real>
+NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance);
+
+} // namespace dsc::initial

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Leaves out points of the interface that are closer together than the mesh can carry: detail below
+// the edge length would give needles for ever. Vertices are removed at the shortest edges first
+// (compare M. Visvalingam, J. D. Whyatt, "Line generalisation by repeated elimination of points",
+// 1993), so that ends of curves, and all points at long edges, stay as they are.
+#pragma once
+
+#include "dsc/initial/initial_complex.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace dsc::initial {
+
+/// Points at edges shorter than this times the edge length are left out. Below it, triangles beside
+/// an edge grow by more than the mesh can follow once the interface moves.
+inline constexpr double finest_edge = 0.2;
+/// No point that is left out lies farther than this times the edge length from the edge in its
+/// place: half of the finest edge, so that a tooth of such edges may go.
+inline constexpr double most_deviation = 0.1;
+/// The area on one side of a curve changes by less than this times the edge length and the length
+/// of the curve: on a smooth curve, the deviation is hardly larger.
+inline constexpr double most_area_change = 1e-3;
+
+/// A line of points that has no point in common with others but its ends.
+struct Strand {
+    std::span<const Point<double>> points; ///< a closed one repeats its first point at the end
+    bool keeps_ends = false;               ///< false: closed, and free to begin at any point
+};
+
+/// For each strand the indices of the points that stay, ascending; those of a closed strand are
+/// closed by the caller. The strands that are left have no point in common that the given ones had
+/// not. Adds to `report` what was left out. O(n log n) for n points at about the same distance.
+std::vector<std::vector<std::uint32_t>> thin(std::span<const Strand> strands, double edge_length,
+                                             InputReport& report);
+
+/// Whether a closed outline is too small for the mesh, because no two of its points are an edge
+/// length apart. Adds it to `report` then. Throws InputError instead if detail is to be kept.
+[[nodiscard]] bool is_dropped(std::span<const Point<double>> outline, const std::string& name,
+                              const InitialOptions& options, InputReport& report);
+
+} // namespace dsc::initial

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Shapes that touch each other, lie in each other and reach beyond the domain: the area of each
+// phase, and what the sides of the interface are.
+#include "dsc/initial/initial_complex.h"
+#include "shapes/outline.h"
+#include "shapes/voronoi_diagram.h"
+#include "support/curve_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <vector>
+
+namespace dsc::shape_network_test {
+namespace {
+
+using Ring = std::vector<Point<double>>;
+
+Ring box(double x, double y, double width, double height) {
+    return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
+}
+
+std::map<Phase, double> areas(const std::vector<Shape>& shapes, InputReport* report = nullptr,
+                              double tolerance = 1e-3) {
+    const auto complex =
+        initial_complex<double>({}, std::span<const Shape>(shapes),
+                                {.edge_length = 0.05, .border_tolerance = tolerance}, report);
+    EXPECT_TRUE(validate(complex).ok());
+    std::map<Phase, double> found = test::areas_by_phase(complex);
+    found.erase(exterior_phase);
+    return found;
+}
+
+void expect_areas(const std::vector<Shape>& shapes, const std::map<Phase, double>& expected,
+                  double error = 1e-13) {
+    const std::map<Phase, double> found = areas(shapes);
+    ASSERT_EQ(found.size(), expected.size());
+    for (const auto& [phase, area] : expected) {
+        EXPECT_NEAR(found.at(phase), area, error) << phase;
+    }
+}
+
+TEST(ShapeNetwork, HolesByTheEvenOddRule) {
+    const Ring outer = box(0.2, 0.2, 0.6, 0.6);
+    const Ring hole = box(0.4, 0.4, 0.2, 0.2);
+    Ring closed = outer;
+    closed.push_back(closed.front());
+    std::reverse(closed.begin(), closed.end());
+    expect_areas({{closed, 1}}, {{1, 0.36}});
+    expect_areas({{outer, 1}, {hole, 1}}, {{1, 0.32}});
+    expect_areas({{outer, 1, {hole}}}, {{1, 0.32}});
+    expect_areas({{outer, 1, {box(0.3, 0.3, 0.4, 0.4), box(0.45, 0.45, 0.1, 0.1)}}}, {{1, 0.21}});
+    expect_areas({{outer, 1}, {box(0.3, 0.3, 0.4, 0.4), 1}, {box(0.45, 0.45, 0.1, 0.1), 1}},
+                 {{1, 0.21}});
+    // In a hole is what is around the shape, or what lies in it.
+    expect_areas({{box(0.1, 0.1, 0.8, 0.8), 2}, {outer, 1, {hole}}}, {{1, 0.32}, {2, 0.32}});
+    expect_areas({{outer, 1, {hole}}, {hole, 2}}, {{1, 0.32}, {2, 0.04}});
+    expect_areas({{outer, 1}, {hole, 1}, {hole, 2}}, {{1, 0.32}, {2, 0.04}});
+    expect_areas({{hole, 2}, {hole, 1}, {outer, 1}}, {{1, 0.32}, {2, 0.04}});
+    expect_areas({{outer, 1}, {hole, 0}, {box(0.45, 0.45, 0.1, 0.1), 0}}, {{1, 0.33}});
+}
+
+TEST(ShapeNetwork, RingsThatTouch) {
+    const Ring outer = box(0.2, 0.2, 0.6, 0.6);
+    expect_areas({{outer, 1}, {{{0.2, 0.5}, {0.4, 0.4}, {0.4, 0.6}}, 1}}, {{1, 0.34}});
+    expect_areas({{outer, 1}, {{{0.5, 0.2}, {0.6, 0.4}, {0.4, 0.4}}, 1}}, {{1, 0.34}});
+    expect_areas({{outer, 1}, {box(0.2, 0.4, 0.2, 0.2), 1}}, {{1, 0.32}});
+    expect_areas({{outer, 1}, {box(0.3, 0.3, 0.2, 0.2), 1}, {box(0.5, 0.5, 0.2, 0.2), 1}},
+                 {{1, 0.28}});
+    expect_areas({{outer, 1}, {box(0.3, 0.4, 0.2, 0.2), 1}, {box(0.5, 0.4, 0.2, 0.2), 1}},
+                 {{1, 0.28}});
+    expect_areas({{box(0.2, 0.2, 0.3, 0.3), 1}, {box(0.5, 0.5, 0.3, 0.3), 1}}, {{1, 0.18}});
+    const Ring spike{{0.2, 0.2}, {0.8, 0.2}, {0.8, 0.5}, {0.9, 0.5},
+                     {0.8, 0.5}, {0.8, 0.8}, {0.2, 0.8}};
+    expect_areas({{spike, 1}}, {{1, 0.36}});
+}
+
+TEST(ShapeNetwork, TheSidesOfTheDomain) {
+    expect_areas({{box(0, 0, 1, 0.5), 1}}, {{1, 0.5}});
+    expect_areas({{box(0.8, -0.5, 0.7, 2), 1}}, {{1, 0.2}});
+    expect_areas({{box(-1, -1, 3, 3), 1}}, {{1, 1}});
+    expect_areas({{box(-1, -1, 3, 3), 2}, {box(0.5, 0.5, 1e-3, 1e-3), 1}}, {{2, 1}});
+    expect_areas({{{{0, 0.5}, {0.5, 0.3}, {0.5, 0.7}}, 1}}, {{1, 0.1}});
+    // Both edges of a border beyond the domain are cut at the same point.
+    expect_areas(
+        {{{{0.4, 0.5}, {1.3, 0.9}, {0.4, 0.9}}, 1}, {{{0.4, 0.5}, {1.3, 0.9}, {1.3, 0.5}}, 2}},
+        {{1, 0.16}, {2, 0.08}});
+    InputReport report;
+    (void)areas({{box(0.8, 0.2, 0.4, 0.4), 1}, {box(0.1, 0.1, 0.2, 0.2), 1}}, &report);
+    EXPECT_EQ(report.clipped, 1U);
+}
+
+TEST(ShapeNetwork, BordersThatAreShared) {
+    expect_areas({{box(0.2, 0.2, 0.3, 0.4), 1}, {box(0.5, 0.2, 0.3, 0.4), 2}},
+                 {{1, 0.12}, {2, 0.12}});
+    expect_areas({{box(0.2, 0.2, 0.3, 0.4), 1}, {box(0.5, 0.2, 0.3, 0.4), 1}}, {{1, 0.24}});
+    expect_areas(
+        {{box(0.2, 0.2, 0.6, 0.2), 1}, {box(0.2, 0.4, 0.3, 0.2), 2}, {box(0.5, 0.4, 0.3, 0.2), 3}},
+        {{1, 0.12}, {2, 0.06}, {3, 0.06}});
+    expect_areas({{box(0, 0, 0.5, 1), 1}, {box(0.5, 0, 0.5, 1), 2}}, {{1, 0.5}, {2, 0.5}});
+    for (const double gap : {1e-15, 1e-9, 1e-5, -1e-15, -1e-9, -1e-5}) {
+        expect_areas({{box(0.2, 0.2, 0.3, 0.4), 1}, {box(0.5 + gap, 0.2, 0.3 - gap, 0.4), 2}},
+                     {{1, 0.12}, {2, 0.12}}, 1e-13 + 0.4 * std::abs(gap));
+    }
+    const std::vector<Shape> apart{{box(0.2, 0.2, 0.3, 0.4), 1}, {box(0.504, 0.2, 0.296, 0.4), 2}};
+    EXPECT_NEAR(areas(apart, nullptr, 0.1).at(2), 0.12, 1e-13);
+}
+
+TEST(ShapeNetwork, CellsOfAVoronoiDiagram) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> place(0, 1);
+    std::vector<Point<double>> seeds(60);
+    for (auto& seed : seeds) {
+        seed = {place(random), place(random)};
+    }
+    const auto diagram = scenes::voronoi_diagram({}, seeds);
+    std::vector<Shape> cells;
+    std::map<Phase, double> expected;
+    for (const auto& cell : diagram.cells) {
+        Ring corners;
+        for (const Point<double>& p : diagram.corners_of(cell)) {
+            corners.emplace_back(std::round(p.x() * 1e9) / 1e9, std::round(p.y() * 1e9) / 1e9);
+        }
+        const auto phase = static_cast<Phase>(cells.size() + 1);
+        expected[phase] = std::abs(scenes::signed_area(corners));
+        cells.push_back({corners, phase});
+    }
+    expect_areas(cells, expected);
+}
+
+TEST(ShapeNetwork, PartsThatTouchNothingKeepTheirBits) {
+    const Shape disc{{{0.3, 0.3}, {0.5, 0.25}, {0.6, 0.5}, {0.35, 0.6}}, 1};
+    Shape named = disc;
+    named.outline.push_back(named.outline.front());
+    named.name = "disc";
+    const InitialOptions options{.edge_length = 0.05};
+    const auto one = initial_complex<double>({}, {disc}, options);
+    const auto other = initial_complex<double>({}, {named}, options);
+    ASSERT_EQ(one.vertex_bound(), other.vertex_bound());
+    for (std::uint32_t v = 0; v < one.vertex_bound(); ++v) {
+        EXPECT_EQ(one.position(Vertex{v}), other.position(Vertex{v}));
+    }
+}
+
+} // namespace
+} // namespace dsc::shape_network_test
