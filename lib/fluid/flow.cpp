@@ -226,6 +226,16 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
 }
 
 void Fluid::archive(Archive& archive) {
+    as_a_whole(archive, [&](Archive& each) {
+        transfer(each);
+        // Not of what is read back: the mesh may be another by then.
+        each.expect(!archive.is_reading() || &each != &archive ||
+                        one_->mesh.vertex_bound == complex_.vertex_bound(),
+                    "holds the flow of another mesh");
+    });
+}
+
+void Fluid::transfer(Archive& archive) {
     archive(areas_, next_dt_);
     archive.expect(std::isfinite(next_dt_) && next_dt_ >= 0, "holds a step of no length");
     bool has_two = two_ != nullptr;
@@ -237,8 +247,6 @@ void Fluid::archive(Archive& archive) {
     if (has_two) {
         archive(*two_);
     }
-    archive.expect(!archive.is_reading() || one_->mesh.vertex_bound == complex_.vertex_bound(),
-                   "holds the flow of another mesh");
 }
 
 std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time, FluidStep& report) {

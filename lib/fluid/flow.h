@@ -73,7 +73,8 @@ public:
     /// next one is shorter then. Throws as `step` does.
     FluidStep advance(Simulation<double>& simulation, double duration);
     /// All that the next step depends on, apart from the simulation and its complex, which have to
-    /// be archived before it. Throws FileError for what no fluid can have written.
+    /// be archived before it. Throws FileError for what no fluid can have written, or of another
+    /// mesh; the fluid is then what it was before.
     void archive(Archive& archive);
 
     /// Of the last solution.
@@ -85,6 +86,7 @@ public:
 
 private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
+    void transfer(Archive& archive);
     [[nodiscard]] std::unique_ptr<FluidField> solution_in(FrozenMesh mesh, double time,
                                                           FluidStep& report);
 

@@ -113,9 +113,13 @@ public:
     void restore(const std::string& bytes) {
         const auto change = mesh_->change();
         Archive archive(bytes, "simulation");
-        archive(report_.reached);
-        simulation_->archive(archive);
-        archive.expect_end();
+        as_a_whole(archive, [this](Archive& each) {
+            each(report_.reached);
+            simulation_->archive(each);
+            if (each.is_reading()) {
+                each.expect_end();
+            }
+        });
     }
 
 private:

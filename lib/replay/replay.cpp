@@ -246,6 +246,7 @@ ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
         throw;
     }
     again.end();
+    complex.attributes.failure.rethrow();
     return report;
 }
 

@@ -3,6 +3,7 @@
 // hands, so that none of it vanishes unreported.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/base/types.h"
 
 #include <functional>
@@ -46,6 +47,11 @@ struct Event {
     double area = 0; ///< that changed hands
 };
 
+inline void archive(Archive& archive, Event& event) {
+    archive.choice(event.kind, event_names.size());
+    archive(event.time, event.x, event.y, event.lost, event.taken, event.area);
+}
+
 /// What became of the area that changed hands, where it is to be given back.
 struct AreaAccount {
     double given_back = 0; ///< in squared units of the domain
@@ -57,6 +63,10 @@ struct AreaAccount {
         return *this;
     }
 };
+
+inline void archive(Archive& archive, AreaAccount& account) {
+    archive(account.given_back, account.owed);
+}
 
 /// Receives events in the order in which they happened, which does not depend on threads. Called by
 /// the thread that calls `Simulation::step`, between sub-steps.

@@ -124,7 +124,10 @@ void TopologyStage<Real>::tell() {
 
 template <class Real>
 void TopologyStage<Real>::archive(Archive& archive) {
-    archive(round_);
+    std::uint64_t told = told_;
+    archive(round_, events_, told, area_);
+    archive.expect(told <= events_.size(), "has reported events that did not happen");
+    told_ = static_cast<std::size_t>(told);
 }
 
 template <class Real>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The journal of a complex stays with it and is emptied by its last reader; options change as a
-// whole; how a step is interrupted; a complex has one simulation at a time, which goes on from
-// whole archives alone.
+// whole; how a step is interrupted; a complex has one simulation at a time.
 #include "support/courses.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -225,34 +224,6 @@ TEST(Simulations, WorkOnOneObjectAndNotOnItsCopies) {
     EXPECT_THROW(Simulation<double>(complex, options), InputError);
     Complex<double> moved = std::move(complex);
     const Simulation<double> fourth(moved, options);
-}
-
-TEST_P(OneSimulation, ThatWereRestoredInPartRefuseToStep) {
-    const Options<double> options{.edge_length = disc_h};
-    const auto fresh = [&](Complex<double>& complex) {
-        return test::make_simulation(complex, options, GetParam());
-    };
-    Complex<double> complex = disc();
-    const auto simulation = fresh(complex);
-    (void)simulation->step(test::swirl, 0, 0.02);
-    Archive written;
-    simulation->archive(written);
-    (void)simulation->step(test::swirl, 0.02, 0.02);
-
-    Complex<double> other = disc();
-    const auto restored = fresh(other);
-    const std::string& bytes = written.bytes();
-    for (const std::size_t size : {bytes.size() - 1, bytes.size() / 2, std::size_t{0}}) {
-        Archive cut(bytes.substr(0, size), "a file");
-        EXPECT_THROW(restored->archive(cut), FileError) << size;
-        EXPECT_THROW((void)restored->step(test::swirl, 0.02, 0.02), InputError) << size;
-        Archive again;
-        EXPECT_THROW(restored->archive(again), InputError) << size;
-    }
-    Archive whole(bytes, "a file");
-    restored->archive(whole);
-    (void)restored->step(test::swirl, 0.02, 0.02);
-    EXPECT_EQ(mesh_hash(other), mesh_hash(complex));
 }
 
 } // namespace

@@ -154,6 +154,9 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
         {"phases.longest", [](auto& o) { o.phases.longest = 2 * o.phases.shortest; }},
         {"phases.longest", [&](auto& o) { o.phases.longest = nan; }},
         {"phases.shortest", [](auto& o) { o.phases.shortest = -1; }},
+        {"phases.longest", [](auto& o) { o.phases.longest = INFINITY; }},
+        {"phases.longest", [](auto& o) { o.per_phase = {{.longest = 1e300}}; }},
+        {"edge_length", [](auto& o) { o.edge_length = 20; }},
         {"phases.collapse_quality",
          [](auto& o) {
              o.per_phase.resize(2);
@@ -161,7 +164,9 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
          }},
         {"interface.shortest", [](auto& o) { o.interface.shortest = -1; }},
         {"interface.longest", [](auto& o) { o.interface.longest = o.interface.shortest; }},
+        {"interface.longest", [](auto& o) { o.interface.longest = INFINITY; }},
         {"interface.deviation", [](auto& o) { o.interface.deviation = -1e-9; }},
+        {"interface.deviation", [](auto& o) { o.interface.deviation = INFINITY; }},
         {"interface.corner_degrees", [](auto& o) { o.interface.corner_degrees = 0; }},
         {"interface.corner_degrees", [](auto& o) { o.interface.corner_degrees = 181; }},
         {"sub_step", [](auto& o) { o.sub_step = 0; }},
@@ -169,6 +174,10 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
         {"interface.turn_degrees", [](auto& o) { o.interface.turn_degrees = -1; }},
         {"interface.turn_degrees", [](auto& o) { o.interface.turn_degrees = 0.1; }},
         {"interface.gap", [](auto& o) { o.interface.gap = 0.01; }},
+        {"interface.gap", [](auto& o) { o.interface.gap = 1e300; }},
+        {"interface.grading", [](auto& o) { o.interface.grading = 1e300; }},
+        {"interface.degenerate", [](auto& o) { o.interface.degenerate = 1e300; }},
+        {"tolerance", [](auto& o) { o.tolerance = 1e300; }},
         {"interface.finest", [](auto& o) { o.interface.finest = 0; }},
         {"interface.finest", [](auto& o) { o.interface.finest = 1.8; }},
         {"interface.grading", [](auto& o) { o.interface.grading = 1; }},
@@ -193,7 +202,9 @@ TYPED_TEST(Driver, RefusesOptionsThatMakeNoSense) {
         {"sizes.changes_in_time", graded([](auto& o) { o.sizes.changes_in_time = true; })},
         {"max_sub_steps", [](auto& o) { o.max_sub_steps = 0; }},
         {"max_passes", [](auto& o) { o.max_passes = 0; }},
+        {"max_passes", [](auto& o) { o.max_passes = 1'000'000'000; }},
         {"max_idle_passes", [](auto& o) { o.max_idle_passes = -1; }},
+        {"max_idle_passes", [](auto& o) { o.max_idle_passes = 1'000'000'000; }},
     };
     for (const Fault& fault : faults) {
         auto options = options_for<Real>(coarse);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fluid refuses.
+// What a fluid refuses: options, domains, archives.
 #include "fluid/scenes.h"
 
 #include "support/refusal.h"
@@ -103,6 +103,40 @@ TEST(FluidOptions, AStepTakesTime) {
         EXPECT_THROW((void)tank.fluid.step(tank.simulation, bad), InputError);
     }
     EXPECT_EQ(tank.fluid.time(), 0);
+}
+
+// Bytes that are cut, or of a fluid in another mesh.
+TEST(FluidArchives, AreReadWholeOrNotAtAll) {
+    const auto complex_of = [](double h) {
+        const std::vector<Shape> shapes{{fluid_scenes::disc({0.5, 0.5}, 0.25, h), 1}};
+        return initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = h});
+    };
+    auto complex = complex_of(0.2);
+    const auto other_complex = complex_of(0.15);
+    FluidOptions options;
+    options.phases = {{.phase = 0}, {.phase = 1}};
+    options.tensions = {{.tension = 1}};
+    const auto bytes_of = [](Fluid& fluid) {
+        Archive archive;
+        fluid.archive(archive);
+        return archive.bytes();
+    };
+    Fluid fluid(complex, options);
+    Fluid other(other_complex, options);
+    const std::string at_rest = bytes_of(fluid);
+    Simulation<double> simulation(complex, {.edge_length = 0.2});
+    (void)fluid.step(simulation, 0.01);
+    const std::string before = bytes_of(fluid);
+    std::vector<std::string> wrong{bytes_of(other)};
+    for (std::size_t i = 0; i < 50; ++i) {
+        wrong.push_back(before.substr(0, i * before.size() / 50));
+        wrong.push_back(at_rest.substr(0, i * at_rest.size() / 50));
+    }
+    for (const std::string& bytes : wrong) {
+        Archive archive(bytes, "a file");
+        EXPECT_THROW(fluid.archive(archive), FileError);
+        EXPECT_EQ(bytes_of(fluid), before);
+    }
 }
 
 } // namespace

@@ -111,19 +111,27 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
 // A partition of the application that does not cover the plane, or that throws.
 TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
     bool is_faulty = false;
+    bool has_gap = false;
     Growing disc(std::make_unique<PlacePartitioner<double>>(
                      [&](const PartitionInput<double>& input) {
                          if (is_faulty) {
                              throw Fault("no partition");
                          }
-                         return voronoi_colours(input, 4);
+                         auto colours = voronoi_colours(input, 4);
+                         if (has_gap) {
+                             colours[0].number_of = [](double, double) { return 9U; };
+                         }
+                         return colours;
                      },
                      2),
                  2);
-    for (int step = 0; step < 5; ++step) {
+    for (int step = 0; step < 10; ++step) {
         is_faulty = step == 2;
+        has_gap = step == 7;
         if (is_faulty) {
             EXPECT_THROW((void)disc.simulation->step(disc.grow, 0, Growing::h), Fault);
+        } else if (has_gap) {
+            EXPECT_THROW((void)disc.simulation->step(disc.grow, 0, Growing::h), InputError);
         } else {
             EXPECT_EQ(disc.simulation->step(disc.grow, 0, Growing::h).unreached, 0U);
         }
@@ -141,7 +149,7 @@ TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
                      return std::vector<PlaceColour>{
                          {[](double x, double) { return x < 0.5 ? 0U : 2U; }, 2}};
                  }),
-                 InvariantError);
+                 InputError);
     EXPECT_THROW(divide([](const PartitionInput<double>&) -> std::vector<PlaceColour> {
                      throw Fault("no partition");
                  }),

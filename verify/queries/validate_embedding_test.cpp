@@ -18,7 +18,6 @@
 namespace dsc::validate_embedding_test {
 namespace {
 
-using test::build;
 using test::expect_problem;
 using test::grid;
 using test::hexagon;
@@ -28,6 +27,19 @@ template <class Real>
 class ValidateEmbedding : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(ValidateEmbedding, Reals);
+
+// From arrays, although they may overlap.
+template <class Real>
+Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<Indices>& triangles) {
+    Complex<Real> complex;
+    for (const Point<Real>& p : points) {
+        (void)insert_vertex(complex, p);
+    }
+    for (const auto& [a, b, c] : triangles) {
+        insert_triangle(complex, Vertex{a}, Vertex{b}, Vertex{c}, 0);
+    }
+    return complex;
+}
 
 // Fans of `count` triangles of 60 degrees, closed or open; repeated ring points get distinct
 // vertices.
@@ -43,7 +55,7 @@ Complex<Real> fan(std::uint32_t count, bool closed) {
     for (std::uint32_t i = 0; i < count; ++i) {
         triangles.push_back({0, i + 1, (i + 1) % ring + 1});
     }
-    return build<Real>(points, triangles, std::vector<Phase>(count, 0));
+    return build<Real>(points, triangles);
 }
 
 TYPED_TEST(ValidateEmbedding, SeesFansThatGoAroundMoreThanOnce) {
@@ -83,7 +95,7 @@ Complex<Real> road(double turns, std::uint32_t pieces) {
     }
     std::vector<Indices> triangles;
     add_band<Real>(triangles, cuts);
-    return build<Real>(points, triangles, std::vector<Phase>(triangles.size(), 0));
+    return build<Real>(points, triangles);
 }
 
 TYPED_TEST(ValidateEmbedding, SeesADomainThatLiesOverItself) {
@@ -131,11 +143,11 @@ TYPED_TEST(ValidateEmbedding, SeesAHandle) {
         add_band<TypeParam>(triangles, cuts);
     };
     band(false, {1, 2}, {0, 3});
-    const auto one = build<TypeParam>(points, triangles, std::vector<Phase>(triangles.size(), 0));
+    const auto one = build<TypeParam>(points, triangles);
     EXPECT_EQ(validate(one).problem, "");
     EXPECT_EQ(validate(one).boundary_loops, 2U);
     band(true, {2, 3}, {1, 0});
-    const auto two = build<TypeParam>(points, triangles, std::vector<Phase>(triangles.size(), 0));
+    const auto two = build<TypeParam>(points, triangles);
     expect_problem(two, "Euler characteristic: V - E + T is -1 instead of 1");
 }
 

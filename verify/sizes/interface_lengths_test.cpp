@@ -8,7 +8,12 @@
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 
+#include "support/refusal.h"
+
 #include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
 
 #include <algorithm>
 #include <array>
@@ -121,13 +126,50 @@ TEST(InterfaceLength, IsNoShorterThanTheEdgeLengthAndNotWithoutGrowth) {
     EXPECT_NO_THROW(check_options(options));
     options.sizes.changes_in_time = true;
     EXPECT_NO_THROW(check_options(options));
+    options.sizes.on_interface = [](const Point<double>&, double) { return 1e-9; };
+    Complex<double> complex = test::disc_complex<double>(finest, middle, 0.1);
+    Simulation<double> simulation(complex, options);
+    const auto before = simulation.interface_size();
+    simulation.step(test::constant<double>(1e-9, 0), 0, 1e-3);
+    EXPECT_EQ(simulation.interface_size(), before);
+}
+
+// What is no length is refused with its place: before there is a simulation, and in a step, after
+// which the complex is valid and other steps go on.
+TEST_P(InterfaceLengths, ThatAreNoneAreRefused) {
     for (const double bad : {0.0, -1.0, std::nan("")}) {
-        options.sizes.on_interface = [bad](const Point<double>&, double) { return bad; };
-        Complex<double> complex = test::disc_complex<double>(finest, middle, 0.1);
-        Simulation<double> simulation(complex, options);
-        const auto before = simulation.interface_size();
-        simulation.step(test::constant<double>(1e-9, 0), 0, 1e-3);
-        EXPECT_EQ(simulation.interface_size(), before) << bad;
+        std::atomic<bool> is_bad = true;
+        const auto length = [&] { return is_bad ? bad : 4 * finest; };
+        for (const std::string name : {"by_place", "on_interface", "by_distance"}) {
+            Options<double> options{.edge_length = finest, .sizes = {.growth = 1.3}};
+            if (name == "by_place") {
+                options.sizes.by_place = [&](const Point<double>&, double, Phase) {
+                    return length();
+                };
+            } else if (name == "on_interface") {
+                options.sizes.on_interface = [&](const Point<double>&, double) { return length(); };
+            } else {
+                options.sizes.by_distance = [&](double) { return length(); };
+            }
+            Complex<double> complex = test::disc_complex<double>(finest, middle, 0.1);
+            is_bad = true;
+            const auto make = [&] { return test::make_simulation(complex, options, GetParam()); };
+            test::expect_refusal([&] { (void)make(); }, "sizes." + name, to_text(bad) + " at (");
+            is_bad = false;
+            const auto simulation = make();
+            for (int step = 0; step < 6; ++step) {
+                is_bad = step % 2 == 1;
+                const auto act = [&] {
+                    (void)simulation->step(test::constant<double>(finest, 0), step, 1);
+                };
+                if (is_bad) {
+                    test::expect_refusal(act, "sizes." + name);
+                } else {
+                    act();
+                }
+                test::expect_sound(complex, *simulation);
+            }
+        }
     }
 }
 

@@ -93,6 +93,7 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
         return {};
     }
     aim.dt = dt;
+    aim.scratch.worst = 0;
     Reach<Real> reach;
     if (const auto& custom = work.options.custom_integrator) {
         reach.error = custom->integrate(step_of(work), velocity, time, aim.scratch);
@@ -100,6 +101,7 @@ Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real 
         reach.error = integrate<Real>(work.options.integrator, velocity, aim.positions, time, dt,
                                       aim.targets, aim.scratch);
     }
+    reach.where = Vertex{work.interface[aim.scratch.worst]};
     Real farthest = 0;
     for (std::size_t i = 0; i < aim.targets.size(); ++i) {
         const Real squared = (aim.targets[i] - aim.positions[i]).squaredNorm();

@@ -188,6 +188,7 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
     if (!is_kept_up_ || whole_.time != time || whole_.dt != dt) {
         whole_.time = time;
         whole_.dt = dt;
+        is_kept_up_ = false;
         keep_up_whole();
         is_kept_up_ = true;
     }
@@ -262,6 +263,9 @@ std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
 template <class Real>
 void Executor<Real>::end_step() {
     whole_.movers.clear();
+    if (progress_ == Progress::under_way && !is_kept_up_) { // a pass or its functions threw
+        list_interface();
+    }
     progress_ = Progress::none;
 }
 

@@ -18,10 +18,14 @@ template <class Real>
 struct Reach {
     Real farthest = 0; ///< the longest distance to a finite target
     Real error = 0;    ///< the largest error estimate, a length, of an integrator that has one
+    Vertex where = {}; ///< the first vertex that has it
 
     Reach& operator+=(const Reach& other) {
         farthest = std::max(farthest, other.farthest);
-        error = std::max(error, other.error);
+        if (other.error > error) {
+            error = other.error;
+            where = other.where;
+        }
         return *this;
     }
 };

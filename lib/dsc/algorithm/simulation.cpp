@@ -5,7 +5,6 @@
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_upkeep.h"
 #include "dsc/passes/readers.h"
-#include "dsc/queries/validate.h"
 #include "dsc/sizes/sizes.h"
 
 #include <algorithm>
@@ -14,6 +13,20 @@
 #include <utility>
 
 namespace dsc {
+
+namespace {
+
+// O(vertices).
+template <class Real>
+void check_for(const Complex<Real>& complex, const Options<Real>& options) {
+    check_options(options);
+    const auto extent = static_cast<double>(extent_of(complex));
+    require(complex.vertex_count() == 0 || static_cast<double>(options.edge_length) <= extent,
+            "edge_length", static_cast<double>(options.edge_length),
+            "up to " + to_text(extent) + ", the larger side of the mesh");
+}
+
+} // namespace
 
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options)
@@ -24,7 +37,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
                              std::unique_ptr<Executor<Real>> executor)
     : complex_(complex), claim_(complex.in_use), options_(options), executor_(std::move(executor)),
       reading_(complex.journal), absorbed_(complex.journal.records.size()) {
-    check_options(options);
+    check_for(complex, options);
     begin_integrator();
     if (executor_) {
         if (&executor_->complex() != &complex) {
@@ -47,11 +60,15 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
 }
 
 template <class Real>
-Simulation<Real>::~Simulation() = default;
+Simulation<Real>::~Simulation() {
+    for (const auto& stage : stages_) {
+        stage->has_simulation_ = false;
+    }
+}
 
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {
-    check_options(options);
+    check_for(complex_, options);
     for (const auto& stage : stages_) {
         stage->check(complex_, options);
     }
@@ -132,12 +149,19 @@ void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
                           .value = "null",
                           .allowed = "an object of a class that is derived from Stage"});
     }
+    if (stage->has_simulation_) {
+        throw InputError({.what = "this stage already belongs to a simulation",
+                          .where = "Simulation::add_stage",
+                          .value = "a stage that was added before",
+                          .allowed = "a stage of its own for each simulation"});
+    }
     stage->check(complex_, options_);
     stage->begin(complex_, options_);
     if (const auto pass = stage->pass()) {
         executor_->add_upkeep(*pass);
     }
     stages_.push_back(std::move(stage));
+    stages_.back()->has_simulation_ = true;
 }
 
 template <class Real>
@@ -227,12 +251,15 @@ std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unr
             absorb(By::stage, time);
         }
         stage->tell();
+        complex_.attributes.failure.rethrow();
     }
     if (!has_edited || !has_missed) {
         return 0;
     }
     std::ranges::sort(gone_);
-    return executor_->move_missed(gone_);
+    const std::uint64_t arrived = executor_->move_missed(gone_);
+    complex_.attributes.failure.rethrow();
+    return arrived;
 }
 
 template <class Real>
@@ -247,17 +274,6 @@ std::vector<std::uint32_t> Simulation<Real>::interface() const {
     return options_.carried_phases.empty() ? moved() : on_interface(complex_, moved());
 }
 
-// Nothing is left to go on from once an archive turned out to be none while it was read.
-template <class Real>
-void Simulation<Real>::expect_whole(const char* where) const {
-    if (!is_whole_) {
-        throw InputError({.what = "a simulation that was not restored as a whole",
-                          .where = where,
-                          .value = "an archive that was refused",
-                          .allowed = "one that is read back without an error before"});
-    }
-}
-
 // The vertices that the flow moves.
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::moved() const {
@@ -269,8 +285,8 @@ std::vector<std::uint32_t> Simulation<Real>::moved() const {
 
 template <class Real>
 StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
-    expect_whole("Simulation::step");
-    if (!std::isfinite(dt) || dt < 0 || !std::isfinite(time)) {
+    const Real end = time + dt;
+    if (!std::isfinite(dt) || dt < 0 || !std::isfinite(end)) {
         throw InputError({.what = "not a time step",
                           .where = "Simulation::step",
                           .value = "time " + to_text(time) + ", dt " + to_text(dt),
@@ -298,9 +314,10 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
         sweep();
     }
     executor_->begin_step();
+    short_ = 0;
     Real remaining = dt;
     try {
-        while (remaining > 0 && sub_step(flow, time, remaining, report)) {
+        while (remaining > 0 && sub_step(flow, time, end, remaining, report)) {
             tell_what_was_done();
             if (remaining > 0 && interrupted_ != nullptr && interrupted_->load()) {
                 report.gave_up = GiveUp::interrupted;
@@ -308,10 +325,10 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
             }
         }
     } catch (...) {
-        // The velocity or a pass of the application threw: the complex is valid, but has not
-        // arrived yet.
+        // A function of the application threw: the complex is valid, but has not arrived yet.
         executor_->end_step();
         (void)executor_->take_counts();
+        tell_what_was_done(); // before what the application does next
         throw;
     }
     executor_->end_step();
@@ -344,7 +361,7 @@ Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
 }
 
 template <class Real>
-bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remaining,
+bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
                                 StepReport& report) {
     const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
     // Aimed with the speed of the sub-step before, which is nearly always right: the velocities and
@@ -352,18 +369,22 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
     // between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
     AimReport<Real> aim = executor_->aim(flow, time, dt);
+    complex_.attributes.failure.rethrow();
     fastest_ = aim.fastest;
     report.held += aim.held;
     report.unreached += aim.held;
+    const auto give_up = [&](GiveUp reason, Vertex where) {
+        report.gave_up = reason;
+        report.unreached += aim.vertices;
+        report.where = where;
+        report.speed = static_cast<double>(aim.fastest);
+    };
     const Real pieces = pieces_of(remaining, aim.fastest);
     // The sub-step that the tolerance requires may change within the step.
     const Real sure = std::max(pieces_of_speed(remaining, aim.fastest), Real(1));
     if (!(sure + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
-        report.gave_up = GiveUp::too_many_sub_steps;
-        report.unreached += aim.vertices;
-        report.where = aim.where;
-        report.speed = static_cast<double>(aim.fastest);
+        give_up(GiveUp::too_many_sub_steps, aim.where);
         return false;
     }
     if (dt_of(pieces) != dt) {
@@ -371,15 +392,20 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real& remain
         aim.reach = executor_->aim_again(flow, time, dt);
     }
     dt = shorten(flow, time, dt, aim.reach);
+    if (is_at_a_jump(flow, time, dt, aim)) {
+        give_up(GiveUp::velocity_jumps, aim.reach.where);
+        return false;
+    }
     report.error = std::max(report.error, static_cast<double>(aim.reach.error));
 
     const MoveReport moved = executor_->move();
+    complex_.attributes.failure.rethrow();
     report.held += moved.held;
     report.unreached += moved.unreached;
     report.passes += moved.passes;
     ++report.sub_steps;
-    time += dt;
     remaining = dt < remaining ? remaining - dt : Real(0);
+    time = remaining > 0 ? time + dt : end; // not what rounding makes of the sum
     if (!stages_.empty()) {
         report.unreached -=
             run_stages(time, dt, aim.held + moved.unreached, moved.unreached > moved.held);
@@ -414,6 +440,26 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     return dt;
 }
 
+// Where the velocity jumps, the estimate falls in proportion to dt, not with a higher power of it:
+// what crosses the jump would be followed in steps of a few tolerances. A flow may be rough for a
+// moment, so that the step goes on for a while.
+template <class Real>
+bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
+                                    const AimReport<Real>& aim) {
+    constexpr Real share = Real(1) / 64; // of the way that the speed allows
+    constexpr std::uint32_t patience = 64;
+    constexpr Real of_jump = Real(0.35); // estimate of half the time: 1/2 at a jump, else up to 1/4
+    const Real length = options_.edge_length;
+    const bool is_short = aim.reach.error > static_cast<Real>(options_.tolerance) * length / 16 &&
+                          dt * aim.fastest < share * static_cast<Real>(options_.sub_step) * length;
+    if (!is_short || ++short_ % patience != 0) {
+        return false;
+    }
+    const Real of_half = executor_->aim_again(flow, time, dt / 2).error;
+    (void)executor_->aim_again(flow, time, dt);
+    return of_half > of_jump * aim.reach.error;
+}
+
 template <class Real>
 void Simulation<Real>::forget() {
     most_dt_ = std::numeric_limits<Real>::infinity();
@@ -424,11 +470,11 @@ void Simulation<Real>::forget() {
 
 template <class Real>
 void Simulation<Real>::archive(Archive& archive) {
-    if (archive.is_reading()) {
-        is_whole_ = false; // until all has been read
-    } else {
-        expect_whole("Simulation::archive");
-    }
+    as_a_whole(archive, [this](Archive& each) { transfer(each); });
+}
+
+template <class Real>
+void Simulation<Real>::transfer(Archive& archive) {
     archive(complex_, fastest_, most_dt_, swept_);
     std::uint64_t absorbed = absorbed_;
     archive(absorbed);
@@ -438,12 +484,6 @@ void Simulation<Real>::archive(Archive& archive) {
     executor_->archive(archive);
     for (const auto& stage : stages_) {
         stage->archive(archive);
-    }
-    if (archive.is_reading()) {
-        if (const ValidationReport report = validate(complex_); !report.ok()) {
-            archive.refuse("holds no valid complex: " + report.problem);
-        }
-        is_whole_ = true;
     }
 }
 

@@ -18,6 +18,9 @@
 
 namespace dsc {
 
+template <class Real>
+class Simulation;
+
 // --- stages --------------------------------------------------------------------------------------
 // Serial work between two sub-steps, in the whole complex: changes of topology, an implicit solve,
 // remeshing by a criterion of the application. A stage may bring a pass of its own, which runs in
@@ -64,6 +67,10 @@ public:
     /// Writes what the stage carries from one step to the next, or reads it back; see
     /// `Simulation::archive`. Attributes of the complex are archived with the complex.
     virtual void archive(Archive& archive) { (void)archive; }
+
+private:
+    friend class Simulation<Real>;
+    bool has_simulation_ = false;
 };
 
 // --- a step --------------------------------------------------------------------------------------
@@ -72,6 +79,7 @@ public:
 enum class GiveUp : std::uint8_t {
     none,
     too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
+    velocity_jumps,     ///< sub-steps of `adaptive` become ever shorter where the velocity jumps
     interrupted,        ///< by `Simulation::interrupt_by`
 };
 
@@ -85,11 +93,11 @@ struct StepReport {
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
-    GiveUp gave_up = GiveUp::none;        ///< `none` if the step was done as a whole
-    Vertex where;                         ///< when the step gave up: the fastest vertex...
-    double speed = 0;                     ///< ...and its speed
+    GiveUp gave_up = GiveUp::none; ///< `none` if the step was done as a whole
+    Vertex where;     ///< when the step gave up: the fastest vertex, or where the velocity jumps
+    double speed = 0; ///< when the step gave up: the largest speed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
-    double reached = 0; ///< the time at the end: earlier than asked for if it gave up
+    double reached = 0; ///< the time at the end: time + dt, or earlier if the step gave up
 };
 
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
@@ -146,7 +154,7 @@ public:
 
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
     /// its pass at the end of the upkeep. Between two steps. Throws InputError if the stage does
-    /// not suit the complex or the options.
+    /// not suit the complex or the options, or already belongs to a simulation that lives.
     void add_stage(std::shared_ptr<Stage<Real>> stage);
 
     /// A step gives up after the sub-step in which the flag is set. Null: steps are not
@@ -156,7 +164,9 @@ public:
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
     /// them), never O(mesh), as long as edges are all of one length. Where they may grow, one
     /// vertex in 32 is visited as well; all are, if targets change in time. Throws InputError if dt
-    /// is negative or not finite.
+    /// is negative or not finite; nothing has changed then. What the application's functions throw
+    /// comes out after the edits so far have been reported to the listeners; the complex is valid,
+    /// and the interface somewhere between `time` and time + dt.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
@@ -179,10 +189,10 @@ public:
     /// simulation that was made in the same way, of a complex that began as the other did, with the
     /// same options and executor; the steps that follow are then the same to the bit. Listeners are
     /// not part of it. O(n). Throws FileError if the bytes are of another version of the complex's
-    /// attributes, of the other scalar type, or hold no valid complex: the simulation then refuses
-    /// to step or to be written, by an InputError, until others have been read. Throws InputError
-    /// where the executor, the partition or an attribute is the application's own and has no such
-    /// function. A file of them: replay/sealed_file.h.
+    /// attributes, of the other scalar type, or hold no valid complex: the simulation and its
+    /// complex then go on from where they were, to the same bits. Throws InputError where the
+    /// executor, the partition or an attribute is the application's own and has no such function. A
+    /// file of them: replay/sealed_file.h.
     void archive(Archive& archive);
 
     /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
@@ -197,12 +207,14 @@ public:
     }
 
 private:
-    void expect_whole(const char* where) const;
+    void transfer(Archive& archive);
     StepReport step_along(const Flow<Real>& flow, Real time, Real dt);
-    bool sub_step(const Flow<Real>& flow, Real& time, Real& remaining, StepReport& report);
+    bool sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
+                  StepReport& report);
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
+    bool is_at_a_jump(const Flow<Real>& flow, Real time, Real dt, const AimReport<Real>& aim);
 
     enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);
@@ -220,8 +232,7 @@ private:
     Claim claim_;
     Options<Real> options_;
     std::unique_ptr<Executor<Real>> executor_;
-    bool is_whole_ = true; ///< no archive was refused since the last one that was read
-    Real fastest_ = 0;     ///< speed of the last sub-step: the estimate for the next one
+    Real fastest_ = 0; ///< speed of the last sub-step: the estimate for the next one
     std::vector<EditListener> listeners_;
     std::vector<std::shared_ptr<Stage<Real>>> stages_;
     std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
@@ -232,6 +243,7 @@ private:
     std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
+    std::uint32_t short_ = 0; ///< sub-steps of this step that the tolerance made very short
 };
 
 } // namespace dsc

@@ -91,6 +91,26 @@ private:
     bool is_reading_ = false;
 };
 
+/// Has `transfer(archive)` read its values as a whole or not at all: where it throws, what was
+/// there before is read back. Writes as `transfer` does. Reading takes the memory of what was
+/// there.
+template <class Transfer>
+void as_a_whole(Archive& archive, const Transfer& transfer) {
+    Archive before;
+    if (archive.is_reading()) {
+        transfer(before);
+    }
+    try {
+        transfer(archive);
+    } catch (...) {
+        if (archive.is_reading()) {
+            Archive again(before.bytes(), "what was there before");
+            transfer(again);
+        }
+        throw;
+    }
+}
+
 /// What an archive can hold.
 template <class Value>
 concept Archivable = requires(Archive& bytes, Value& value) {

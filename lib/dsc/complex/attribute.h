@@ -47,7 +47,8 @@ enum class OnInterface : std::uint8_t {
 /// The base class of attributes: a complex and its operations report every edit to it. Entries are
 /// named by vertex ids, corners (four to a triangle; both corners opposite to an edge are its
 /// entries) or triangle ids. Operations on disjoint submeshes run at the same time: a function that
-/// is told of an edit may touch only the entries named, and shared data only under a lock.
+/// is told of an edit may touch only the entries named, and shared data only under a lock. What it
+/// throws comes out when the edit is done (`AttributeSet::failure`); its entry is what it left.
 class AttributeBase : public Unmovable {
 public:
     /// The name and the kind do not change.

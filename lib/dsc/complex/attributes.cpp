@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace dsc {
 
@@ -13,6 +14,26 @@ void AttributeBase::archive(Archive& /*archive*/) {
                       .where = "archive",
                       .value = "'" + name_ + "'",
                       .allowed = "entries of a type that has an archive function"});
+}
+
+void AttributeFailure::note() noexcept {
+    const std::scoped_lock lock(mutex_);
+    if (!first_) {
+        first_ = std::current_exception();
+        is_there_.store(true, std::memory_order_relaxed);
+    }
+}
+
+void AttributeFailure::take() {
+    std::exception_ptr first;
+    {
+        const std::scoped_lock lock(mutex_);
+        first.swap(first_);
+        is_there_.store(false, std::memory_order_relaxed);
+    }
+    if (first) {
+        std::rethrow_exception(first);
+    }
 }
 
 namespace {
@@ -126,6 +147,22 @@ void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& o
     } else if (kind == SimplexKind::triangle) {
         triangle_bound_ = order.size();
     }
+}
+
+AttributeSet AttributeSet::without_entries() const {
+    AttributeSet empty;
+    for (const auto& attribute : list_) {
+        empty.insert(taken_from(*attribute, {}));
+    }
+    return empty;
+}
+
+void AttributeSet::swap_entries(AttributeSet& other) noexcept {
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+        list_[i]->swap_entries(*other.list_[i]);
+    }
+    std::swap(vertex_bound_, other.vertex_bound_);
+    std::swap(triangle_bound_, other.triangle_bound_);
 }
 
 void AttributeSet::archive(Archive& archive) {

@@ -6,10 +6,40 @@
 #include "dsc/complex/attribute.h"
 
 #include <array>
+#include <atomic>
+#include <exception>
+#include <mutex>
 #include <string>
 #include <string_view>
 
 namespace dsc {
+
+/// What attributes threw in edits, from any thread. It belongs to the object, not to its value.
+class AttributeFailure {
+public:
+    AttributeFailure() = default;
+    /// Nothing was thrown.
+    AttributeFailure(const AttributeFailure& /*other*/) noexcept {}
+    /// Changes nothing.
+    AttributeFailure& operator=(const AttributeFailure& /*other*/) noexcept { return *this; }
+    ~AttributeFailure() = default;
+
+    /// Keeps the exception that is being handled, unless there is one already.
+    void note() noexcept;
+    /// Throws it, once. O(1).
+    void rethrow() {
+        if (is_there_.load(std::memory_order_relaxed)) [[unlikely]] {
+            take();
+        }
+    }
+
+private:
+    void take();
+
+    std::atomic<bool> is_there_ = false;
+    std::mutex mutex_;
+    std::exception_ptr first_;
+};
 
 /// The attributes of one complex. Copied with it.
 class AttributeSet {
@@ -82,6 +112,11 @@ public:
                                            : triangle_bound;
     }
 
+    /// What an attribute throws in an edit does not tear the edit: the mesh, its log and the other
+    /// attributes are what they are without the exception. The operation that was called with a
+    /// handle throws it at its end, a simulation at the end of its sub-step.
+    AttributeFailure failure;
+
     // --- called by the operations; nothing happens if there is no attribute of the kind
     /// There are ids up to `bound` now.
     void resize_vertices(std::size_t bound);
@@ -131,6 +166,11 @@ public:
     /// Entry i of the result is the old entry order[i]; no_id: the initial value.
     void permute(SimplexKind kind, const std::vector<std::uint32_t>& order);
 
+    /// The same attributes, without entries.
+    [[nodiscard]] AttributeSet without_entries() const;
+    /// Swaps the entries with a set that `without_entries` made; the attributes stay where they
+    /// are.
+    void swap_entries(AttributeSet& other) noexcept;
     /// Writes the entries of all attributes, or reads them back into a set that has the same ones,
     /// in any order. Throws FileError where it has others, InputError for one that cannot be
     /// archived.
@@ -150,7 +190,11 @@ private:
     [[gnu::noinline]] void tell_each(SimplexKind kind, Tell one) {
         for (const auto& attribute : list_) {
             if (attribute->kind() == kind) {
-                one(*attribute);
+                try {
+                    one(*attribute);
+                } catch (...) {
+                    failure.note();
+                }
             }
         }
     }

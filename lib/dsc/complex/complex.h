@@ -248,8 +248,8 @@ extern template class Complex<float>;
 /// Builds a complex from arrays: `triangles` index into `points` and may be oriented either way;
 /// `phases` has one entry per triangle. Throws InputError if a coordinate is not finite, an index
 /// is out of range, a triangle is degenerate, an edge has more than two triangles, a vertex is not
-/// manifold, or a phase is reserved. O(n log n). Vertex i of the complex is point i, triangle t the
-/// id t + 1.
+/// manifold, a phase is reserved, or triangles overlap. O(n log n). Vertex i of the complex is
+/// point i, triangle t the id t + 1.
 template <class Real>
 Complex<Real> make_complex(std::span<const Point<Real>> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -285,8 +285,8 @@ Renumbering renumber(Complex<Real>& complex);
 
 /// Writes a complex exactly as it is, or reads it back into one that has the same attributes: ids,
 /// free ids in their order, flags, the entries of the attributes, and the edits that nobody has
-/// read yet. What was there before is gone. Throws FileError for one of the other scalar type, or
-/// with other attributes. Whether what was read is a complex is for `validate` to say. O(n).
+/// read yet. Throws FileError for one of the other scalar type, with other attributes, or that is
+/// no valid complex; what was there stays then. References to attributes stay valid. O(n log n).
 template <class Real>
 void archive(Archive& archive, Complex<Real>& complex);
 

@@ -144,6 +144,15 @@ concept Editable = requires(T& where) {
 template <Editable Where>
 using ScalarOf = typename decltype(Submesh(std::declval<Where&>()))::Scalar;
 
+/// Throws what an attribute has thrown in an edit of the whole; a submesh that runs beside others
+/// leaves it to who runs them.
+template <class Real>
+void rethrow_failure(const Submesh<Real>& submesh) {
+    if (submesh.region.is_whole()) {
+        submesh.complex.attributes.failure.rethrow();
+    }
+}
+
 /// Whether the region owns a vertex, where it is now. Safe while another submesh moves it. Inlined:
 /// each movement asks for all vertices of a star.
 template <class Real>

@@ -56,7 +56,10 @@ public:
         Real largest = 0;
         for (std::size_t i = 0; i < positions_.size(); ++i) {
             const Real squared = (scratch_.sum[i] - scratch_.slope[i]).squaredNorm();
-            largest = std::isfinite(squared) ? std::max(largest, squared) : largest;
+            if (std::isfinite(squared) && squared > largest) {
+                largest = squared;
+                scratch_.worst = i;
+            }
         }
         return dt_ / Real(6) * std::sqrt(largest);
     }

@@ -48,6 +48,7 @@ struct IntegratorScratch {
     std::vector<Point<Real>> stage; ///< positions of a stage
     std::vector<Point<Real>> slope; ///< velocities of a stage
     std::vector<Point<Real>> sum;   ///< of the weighted velocities
+    std::size_t worst = 0;          ///< the index of the largest error estimate, set with it
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at

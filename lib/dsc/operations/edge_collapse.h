@@ -69,7 +69,9 @@ Verdict edge_collapse(const Submesh<Real>& submesh, Corner corner, rewire::Vanis
 Verdict edge_collapse(Editable auto&& where, Edge edge, Vertex vanishing) {
     const Submesh submesh(where);
     const auto end = end_of(submesh.complex, edge, vanishing);
-    return end ? edge_collapse(submesh, edge.id, *end) : Verdict::not_a_simplex;
+    const Verdict verdict = end ? edge_collapse(submesh, edge.id, *end) : Verdict::not_a_simplex;
+    rethrow_failure(submesh);
+    return verdict;
 }
 
 /// Tries both ends, the vertex with the smaller id first, as in algorithm 7.7 of the thesis; if

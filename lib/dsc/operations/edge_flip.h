@@ -55,7 +55,10 @@ Verdict edge_flip(const Submesh<Real>& submesh, Corner corner) {
 /// By handle, which is checked: also answers not_a_simplex.
 Verdict edge_flip(Editable auto&& where, Edge edge) {
     const Submesh submesh(where);
-    return submesh.complex.is_alive(edge) ? edge_flip(submesh, edge.id) : Verdict::not_a_simplex;
+    const Verdict verdict =
+        submesh.complex.is_alive(edge) ? edge_flip(submesh, edge.id) : Verdict::not_a_simplex;
+    rethrow_failure(submesh);
+    return verdict;
 }
 
 } // namespace dsc

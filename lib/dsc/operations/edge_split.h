@@ -79,8 +79,11 @@ SplitResult edge_split(const Submesh<Real>& submesh, Corner corner, const Point<
 template <Editable Where>
 SplitResult edge_split(Where&& where, Edge edge, const Point<ScalarOf<Where>>& point) {
     const Submesh submesh(where);
-    return submesh.complex.is_alive(edge) ? edge_split(submesh, edge.id, point)
-                                          : SplitResult{Verdict::not_a_simplex, {}};
+    const SplitResult result = submesh.complex.is_alive(edge)
+                                   ? edge_split(submesh, edge.id, point)
+                                   : SplitResult{Verdict::not_a_simplex, {}};
+    rethrow_failure(submesh);
+    return result;
 }
 
 /// The same at the midpoint.
@@ -92,7 +95,7 @@ SplitResult edge_split(Where&& where, Edge edge) {
     }
     const auto [a, b] = submesh.complex.vertices_of(edge);
     return edge_split(
-        submesh, edge.id,
+        submesh, edge,
         midpoint<ScalarOf<Where>>(submesh.complex.position(a), submesh.complex.position(b)));
 }
 

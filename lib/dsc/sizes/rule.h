@@ -4,6 +4,7 @@
 // straight front (R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", 1998).
 #pragma once
 
+#include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
 #include "dsc/sizes/sizes.h"
 
@@ -101,22 +102,24 @@ public:
             options_.longest > 0 ? options_.longest : std::numeric_limits<Real>::infinity();
         for (std::uint32_t i = 0; options_.by_place && i < ring.size; ++i) {
             if (i == 0 || ring.phase[i] != ring.phase[i - 1]) {
-                least = std::min(
-                    least, at_least(options_.by_place({ring.x0, ring.y0}, time, ring.phase[i])));
+                const Point<Real> place(ring.x0, ring.y0);
+                least = std::min(least, checked(options_.by_place(place, time, ring.phase[i]),
+                                                "sizes.by_place", place));
             }
         }
         if (options_.on_interface && is_on_interface(ring)) {
             least = std::min(least, on_interface({ring.x0, ring.y0}, time));
         }
         if (needs_distance()) {
-            least = std::min(least, at_least(options_.by_distance(distance)));
+            least = std::min(least, checked(options_.by_distance(distance), "sizes.by_distance",
+                                            {ring.x0, ring.y0}));
         }
         return least;
     }
 
     /// The target of the interface's own edges at a place; only where there is one.
     [[nodiscard]] Real on_interface(const Point<Real>& place, Real time) const {
-        return at_least(options_.on_interface(place, time));
+        return checked(options_.on_interface(place, time), "sizes.on_interface", place);
     }
 
     /// Whether all that matters at the centre is that it is on the interface. O(1).
@@ -176,8 +179,15 @@ public:
     }
 
 private:
-    [[nodiscard]] Real at_least(Real length) const {
-        return length > shortest_ ? length : shortest_; // also for NaN
+    // What a function of the application has returned for a place.
+    [[nodiscard]] Real checked(Real length, const char* name, const Point<Real>& place) const {
+        if (!(length > 0)) [[unlikely]] {
+            throw InputError({.what = "no length",
+                              .where = name,
+                              .value = to_text(length) + " at " + to_text(place),
+                              .allowed = "above 0; infinity for no bound"});
+        }
+        return std::max(length, shortest_);
     }
 
     const SizeOptions<Real>& options_;

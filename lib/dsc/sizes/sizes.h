@@ -14,9 +14,10 @@
 namespace dsc {
 
 /// Lengths are in units of the domain. The edge length of the options is the finest target, unless
-/// `shortest` allows finer ones: results of the functions are clamped to at least that, NaN counts
-/// as that too. The functions are called from several threads at once where submeshes run in
-/// parallel.
+/// `shortest` allows finer ones: results of the functions are clamped to at least that. Where one
+/// is not above 0, or NaN, what has asked for it (a simulation, an initial complex, a step) throws
+/// InputError with the place. The functions are called from several threads at once where submeshes
+/// run in parallel.
 template <class Real>
 struct SizeOptions {
     /// A length by place, time and phase.

@@ -86,7 +86,7 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
     reached : float
         The time at the end: earlier than asked for if the step gave up.
     gave_up : bool
-        Whether the velocity required more than `max_sub_steps`.
+        Whether the velocity required more than `max_sub_steps`, or jumps (`adaptive`).
     events : list of Event
         Changes of topology, in their order.
     """

@@ -4,19 +4,6 @@
 #include "scenes/run/run.h"
 #include "scenes/run/standard_archive.h"
 
-namespace dsc {
-
-static void archive(Archive& archive, Event& event) {
-    archive.choice(event.kind, event_names.size());
-    archive(event.time, event.x, event.y, event.lost, event.taken, event.area);
-}
-
-static void archive(Archive& archive, AreaAccount& account) {
-    archive(account.given_back, account.owed);
-}
-
-} // namespace dsc
-
 namespace dsc::scenes {
 
 static void archive(Archive& archive, Figure& figure) { archive(figure.name, figure.value); }

@@ -13,7 +13,7 @@
 namespace dsc::scenes {
 
 /// To be raised with every change of what a run writes.
-inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 9};
+inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 10};
 
 /// What a run was asked for on the command line: enough to begin it again.
 struct RunOrigin {

@@ -222,13 +222,8 @@ private:
     void step_fluid(double time, RunResult& result) {
         if constexpr (std::is_same_v<Real, double>) {
             const StepReport report = fluid_->step(*simulation_, setup_.dt);
-            const bool is_undone = report.gave_up != GiveUp::none || !fluid_->failure().empty();
-            if (is_undone) {
+            if (report.gave_up != GiveUp::none || !fluid_->failure().empty()) {
                 watch_.forget();
-            }
-            if (is_undone && topology_) { // what it did to the phases is undone as well
-                (void)topology_->take_events();
-                (void)topology_->take_area();
             }
             take(report, time, result);
             if (!fluid_->failure().empty()) {
@@ -264,6 +259,11 @@ private:
         result.unreached += report.unreached;
         result.held += report.held;
         result.sub_steps += report.sub_steps;
+        if (report.gave_up == GiveUp::velocity_jumps) {
+            result.gave_up = "in a step at time " + std::to_string(time) +
+                             " the velocity jumps at vertex " + std::to_string(report.where.id) +
+                             ", so that no sub-step meets the tolerance; use another integrator";
+        }
         if (report.gave_up == GiveUp::too_many_sub_steps) {
             result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
                              std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +

@@ -147,6 +147,7 @@ void CopyExecutor<Real>::run_tasks() {
         try {
             std::uint32_t epoch = task.work.epoch;
             task.passes = run_motion(task.work, algorithm_.motion, epoch);
+            task.work.complex.attributes.failure.rethrow();
         } catch (...) {
             task.failure = std::current_exception();
         }

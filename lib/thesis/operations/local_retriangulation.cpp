@@ -327,6 +327,7 @@ RetriangulationResult detail::local_retriangulation(const Submesh<Real>& submesh
     if (method == RetriangulationMethod::delaunay) {
         make_delaunay(complex, *submesh.log, plan);
     }
+    rethrow_failure(submesh);
     return result;
 }
 

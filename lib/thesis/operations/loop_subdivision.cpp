@@ -95,6 +95,7 @@ LoopSubdivisionResult detail::loop_subdivision(const Submesh<Real>& submesh, Tri
     split(corner_of(t, 2), 2);                            // t = (A, c, a), and (a, c, B)
     rewire::flip(complex, *submesh.log, corner_of(t, 1)); // t = (b, c, a), and (b, A, c)
     ++submesh.log->counts.subdivisions;
+    rethrow_failure(submesh);
     return result;
 }
 

@@ -64,6 +64,7 @@ Verdict move_if_better(const Submesh<Real>& submesh, Vertex vertex, const Point<
         return Verdict::no_gain;
     }
     rewire::move(complex, *submesh.log, vertex.id, target.x(), target.y(), MoveReason::smoothing);
+    rethrow_failure(submesh);
     return Verdict::legal;
 }
 

@@ -230,6 +230,7 @@ TriangleCollapseResult detail::triangle_collapse(const Submesh<Real>& submesh, T
         rewire::move(complex, *submesh.log, heir, plan.place.x(), plan.place.y(),
                      MoveReason::coarsening);
     }
+    rethrow_failure(submesh);
     return {Verdict::legal, Vertex{heir}};
 }
 

@@ -92,6 +92,7 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p) {
                     .x = static_cast<double>(p.x()),
                     .y = static_cast<double>(p.y())};
     });
+    complex.attributes.failure.rethrow();
     return Vertex{id};
 }
 
@@ -150,6 +151,7 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
                     .apexes = {Vertex{v[2]}, Vertex{}},
                     .made = {phase, no_id}};
     });
+    complex.attributes.failure.rethrow();
     return Triangle{id};
 }
 

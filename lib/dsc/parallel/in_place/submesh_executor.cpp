@@ -133,11 +133,18 @@ void SubmeshExecutor<Real>::divide() {
     partitioner_->divide({complex_, list, work_of(list), static_cast<double>(options_.edge_length)},
                          recut, partition_);
     make_parts(recut);
+    const std::uint32_t lost = recut == Recut::all ? hand_out(std::move(list)) : no_id;
+    connect();
+    if (lost != no_id) { // the next step asks for another division
+        throw InputError({.what = "a vertex is in no submesh of the first colour",
+                          .where = "Partitioner::divide",
+                          .value = "vertex " + std::to_string(lost) + " at " +
+                                   to_text(complex_.position(Vertex{lost})),
+                          .allowed = "regions that cover the plane, in each colour"});
+    }
     if (recut == Recut::all) {
-        hand_out(std::move(list));
         status_.steps_since_all = 0;
     }
-    connect();
 }
 
 // The work that each vertex has taken since the last division, as its submesh's average.
@@ -200,26 +207,29 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     works_.push_back(&whole_);
 }
 
+// Returns a vertex that is in a gap of the partition, or no_id.
 template <class Real>
-void SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
+std::uint32_t SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
     whole_.interface.clear();
     if (parts_.empty()) {
         whole_.interface = std::move(list);
-        return;
+        return no_id;
     }
+    std::uint32_t lost = no_id;
     const Colour& colour = partition_.colours.front();
     std::size_t at = 0;
     for (const std::uint32_t v : list) {
         at = colour.locate(v, place_of(v).x(), place_of(v).y(), at);
         if (at == first_colour_) {
-            throw InvariantError("vertex " + std::to_string(v) +
-                                 " is in no submesh of the first colour");
+            lost = v;
+            at = 0; // as `owner_of`
         }
         parts_[at]->work.interface.push_back(v);
     }
     for (std::size_t i = 0; i < first_colour_; ++i) {
         parts_[i]->make_room(2 * parts_[i]->work.interface.size());
     }
+    return lost;
 }
 
 // Tasks: a submesh waits for those of the colour before it that it meets. It then has exclusive

@@ -49,7 +49,7 @@ private:
     // Set-up.
     void divide();
     void make_parts(Recut recut);
-    void hand_out(std::vector<std::uint32_t> list);
+    [[nodiscard]] std::uint32_t hand_out(std::vector<std::uint32_t> list);
     void connect();
     void make_room();
     [[nodiscard]] static std::size_t least_vertices(const Part& part);

@@ -10,6 +10,9 @@
 #include "dsc/passes/wall.h"
 #include "dsc/quality/measures.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace dsc {
 
 namespace {
@@ -90,6 +93,32 @@ public:
             }
             return;
         }
+        is_unfinished_ = true;
+    }
+
+    // Visits the active set, to which vertices created on the way are appended: splits halve
+    // lengths, so this terminates. Where much has to change, the next pass goes on: with stars that
+    // had no room in this one, and with those that are still, or by flips again, far too long.
+    void run() {
+        std::vector<std::uint32_t>& active = work_.active;
+        const std::size_t bound = 8 * active.size() + 64;
+        std::size_t visited = 0;
+        while (visited < active.size() && visited < bound) {
+            visit(active[visited++]);
+        }
+        if (is_unfinished_ || visited < active.size()) {
+            constexpr Real far = 2; // squared: what the turns of one visit would have shortened
+            const auto is_done = [&](std::uint32_t v) {
+                return !gather_star(v) || examine(ring_, margins_).longest <=
+                                              far * limits(ring_.phase[0], sizes_.at(v)).longest;
+            };
+            std::copy(active.begin() + static_cast<std::ptrdiff_t>(visited), active.end(),
+                      std::back_inserter(work_.resized));
+            std::remove_copy_if(active.begin(),
+                                active.begin() + static_cast<std::ptrdiff_t>(visited),
+                                std::back_inserter(work_.resized), is_done);
+        }
+        active.clear();
     }
 
 private:
@@ -370,6 +399,7 @@ private:
     Limits limits_;              // of the star that is being visited
     SpokeMargins<Real> margins_; // of the star that was examined last
     WaitingRule waiting_ = waiting_rule(work_);
+    bool is_unfinished_ = false; // a visit has run out of turns
 };
 
 } // namespace
@@ -378,13 +408,7 @@ template <class Real>
 void update_mesh(Work<Real>& work) {
     MeshUpdate<Real> update(work);
     activate_resized(work);
-    // Vertices created on the way are appended and visited as well: splits halve lengths, so this
-    // terminates; the bound is for thresholds that contradict each other.
-    const std::size_t bound = 8 * work.active.size() + 64;
-    for (std::size_t i = 0; i < work.active.size() && i < bound; ++i) {
-        update.visit(work.active[i]);
-    }
-    work.active.clear();
+    update.run();
 }
 
 template void update_mesh(Work<double>&);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Declared with the complex, defined here: the validator has the last word.
 #include "dsc/complex/complex.h"
+#include "dsc/queries/validate.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace dsc {
 
@@ -60,7 +64,7 @@ void expect_vertices(const Archive& archive, const Complex<Real>& complex,
 }
 
 template <class Real>
-void archive(Archive& archive, Complex<Real>& complex) {
+static void transfer(Archive& archive, Complex<Real>& complex) {
     std::uint32_t size = sizeof(Real);
     archive(size);
     if (size != sizeof(Real)) {
@@ -79,6 +83,26 @@ void archive(Archive& archive, Complex<Real>& complex) {
     for (const Edit& edit : complex.journal.records) {
         expect_edit(archive, complex, edit);
     }
+}
+
+template <class Real>
+void archive(Archive& archive, Complex<Real>& complex) {
+    if (!archive.is_reading()) {
+        transfer(archive, complex);
+        return;
+    }
+    Complex<Real> next;
+    next.attributes = complex.attributes.without_entries();
+    transfer(archive, next);
+    if (const ValidationReport report = validate(next); !report.ok()) {
+        archive.refuse("holds no valid complex: " + report.problem);
+    }
+    complex.vertices.swap(next.vertices);
+    complex.triangles.swap(next.triangles);
+    complex.ids = std::move(next.ids);
+    complex.attributes.swap_entries(next.attributes);
+    complex.journal.counts = next.journal.counts;
+    complex.journal.records.swap(next.journal.records);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
