@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a scene and measures it. Measuring is not timed; only the log of edits that it reads is, some
-// hundredths of a step.
+// Runs a scene and measures it. Measuring is not timed; only the log of edits that it reads is,
+// some hundredths of a step.
 #pragma once
 
 #include "measures/histogram.h"
