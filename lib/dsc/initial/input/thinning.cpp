@@ -168,7 +168,7 @@ private:
         std::uint32_t first = 0;
         std::uint32_t last = 0;
         std::uint32_t may_go = 0; // as many vertices, so that the strand keeps its shape
-        double length = 0;
+        double most_area_change = 0;
         double area_change = 0; // on its left
     };
     struct Removal {
@@ -196,9 +196,16 @@ private:
             const std::uint32_t least = is_free || points.front() != points.back() ? 3 : 4;
             const std::uint32_t count = state.last - state.first + 1;
             state.may_go = count - std::min(least, count);
+            double length = 0;
+            double area = 0; // inside a closed one
             for (std::size_t i = 1; i < points.size(); ++i) {
-                state.length += distance(points[i - 1], points[i]);
+                length += distance(points[i - 1], points[i]);
+                area += cross<double>(points[i - 1] - points[0], points[i] - points[0]) / 2;
             }
+            const bool is_closed = points.front() == points.back();
+            state.most_area_change =
+                most_area_change *
+                std::min(edge_length_ * length, is_closed ? std::abs(area) : edge_length_ * length);
         }
         return nodes;
     }
@@ -247,8 +254,7 @@ private:
         const Point<double>& b = nodes_[node.next].place;
         Removal result{.vertex = vertex, .area_change = cross<double>(b - a, node.place - a) / 2};
         const double area_change = std::abs(state.area_change + result.area_change);
-        if (area_change > most_area_change * edge_length_ * state.length &&
-            area_change > std::abs(state.area_change)) {
+        if (area_change > state.most_area_change && area_change > std::abs(state.area_change)) {
             return {};
         }
         const auto after = [&](std::uint32_t i) { return i == state.last ? state.first : i + 1; };

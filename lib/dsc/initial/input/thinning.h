@@ -21,7 +21,8 @@ inline constexpr double finest_edge = 0.2;
 /// place: half of the finest edge, so that a tooth of such edges may go.
 inline constexpr double most_deviation = 0.1;
 /// The area on one side of a curve changes by less than this times the edge length and the length
-/// of the curve: on a smooth curve, the deviation is hardly larger.
+/// of the curve, and by less than this times the area inside a closed one. On a smooth curve, the
+/// deviation is hardly larger.
 inline constexpr double most_area_change = 1e-3;
 
 /// A line of points that has no point in common with others but its ends.

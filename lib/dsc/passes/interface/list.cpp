@@ -115,7 +115,14 @@ public:
         if (!ends || turns_less<Real>(ends->front(), at, ends->back(), cosine)) {
             return false;
         }
-        const Real turn = std::abs(turn_angle<Real>(ends->front(), at, ends->back()));
+        const Real signed_turn = turn_angle<Real>(ends->front(), at, ends->back());
+        const Real turn = std::abs(signed_turn);
+        // The blunt end of a strip: each of its vertices is needed for the width.
+        constexpr Real turns_back = Real(2.6); // radians
+        const Real here = turn_at(v);
+        if (turn > turns_back && here * signed_turn > 0 && std::cos(here) < cosine) {
+            return true;
+        }
         return std::ranges::none_of(near_, [&](std::uint32_t u) {
             const auto there = arc_ends(u, nullptr);
             const Real other =
@@ -128,6 +135,14 @@ public:
 
 private:
     using Ends = std::array<Point<Real>, 2>;
+
+    // Of a vertex of one curve, in the order of `arc_ends`.
+    Real turn_at(std::uint32_t v) {
+        (void)gather(complex_, Region{}, v, ring_);
+        const Spokes spokes = interface_spokes(ring_);
+        return turn_angle<Real>(link_point(ring_, spokes.first), {ring_.x0, ring_.y0},
+                                link_point(ring_, spokes.second));
+    }
 
     // The ends of the arcs on both sides of a vertex of one curve inside the domain; the vertices
     // before these ends are appended to `near`.

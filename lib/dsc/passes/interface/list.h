@@ -31,9 +31,9 @@ inline constexpr double feature_arc = 0.2;
 
 /// Marks as corners those interface vertices of `list` at which the curve turns by more than
 /// `degrees`, measured over arcs of at least this length on both sides; of several on one arc, the
-/// one with the sharpest turn. Marks are permanent: a corner that a flow opens stays a corner, and
-/// a tip that becomes sharp later does not become one. O(list) where edges are no shorter than the
-/// arc.
+/// one with the sharpest turn, or all at the blunt end of a strip. Marks are permanent: a corner
+/// that a flow opens stays a corner, and a tip that becomes sharp later does not become one.
+/// O(list) where edges are no shorter than the arc.
 template <class Real>
 void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
                   Real arc);
