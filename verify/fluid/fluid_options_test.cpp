@@ -105,6 +105,20 @@ TEST(FluidOptions, AStepTakesTime) {
     EXPECT_EQ(tank.fluid.time(), 0);
 }
 
+TEST(FluidOptions, ASimulationOfAnotherComplexIsRefused) {
+    const std::vector<Shape> shapes{{fluid_scenes::disc({0.5, 0.5}, 0.25, 0.2), 1}};
+    auto complex = initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = 0.2});
+    auto other = complex;
+    FluidOptions options;
+    options.phases = {{.phase = 0}, {.phase = 1}};
+    options.tensions = {{.tension = 1}};
+    Fluid fluid(complex, options);
+    Simulation<double> simulation(other, {.edge_length = 0.2});
+    test::expect_refusal([&] { (void)fluid.step(simulation, 0.01); }, "Fluid::step",
+                         "the simulation belongs to another complex");
+    EXPECT_EQ(fluid.time(), 0);
+}
+
 // Bytes that are cut, or of a fluid in another mesh.
 TEST(FluidArchives, AreReadWholeOrNotAtAll) {
     const auto complex_of = [](double h) {
