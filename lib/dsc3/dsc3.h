@@ -26,3 +26,5 @@
 #include "dsc3/initial/initial_complex.h"
 
 #include "dsc3/algorithm/simulation.h"
+
+#include "dsc3/io/vtu.h"

@@ -39,6 +39,24 @@ class SceneGood(CommandLine):
         self.assertEqual(int(rows[0]["triangles"]), result["triangles_first"])
         self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 
+    def test_three_dimensions(self):
+        """A ball that is carried along comes to where it belongs, the same at each call."""
+        results = []
+        for _ in range(2):
+            done = self.call("run", "translation-3d", "--set", "h=0.0625", "--json",
+                             self.path("r.json"))
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(self.path("r.json"), encoding="utf-8") as stream:
+                results.append(json.load(stream))
+        result = results[0]
+        self.assertEqual(result["mesh_hash"], results[1]["mesh_hash"])
+        self.assertEqual((result["scene"], result["steps"]), ("translation-3d", 16))
+        self.assertEqual((result["inverted"], result["unreached"], result["problem"]), (0, 0, None))
+        self.assertAlmostEqual(result["volume_ratio"], 1, delta=2e-3)
+        self.assertLess(result["vertex_error_max"], 1e-7)
+        self.assertLess(result["sd_rel_last"], 0.06)
+        self.assertGreater(result["min_dihedral_deg_ever"], 7)
+
     def test_threads_are_enough(self):
         """The interface is long enough for two threads to be used, once they are tried."""
         hashes = set()

@@ -8,6 +8,19 @@
 
 namespace dsc3 {
 
+OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
+    splits += other.splits;
+    collapses += other.collapses;
+    edge_removals += other.edge_removals;
+    face_flips += other.face_flips;
+    smoothings += other.smoothings;
+    interface_splits += other.interface_splits;
+    interface_collapses += other.interface_collapses;
+    interface_flips += other.interface_flips;
+    reassigned += other.reassigned;
+    return *this;
+}
+
 Real quality_of(const Complex& complex, std::uint32_t tet) {
     const auto& v = complex.tets[tet].v;
     return quality(complex.at(v[0]), complex.at(v[1]), complex.at(v[2]), complex.at(v[3]));

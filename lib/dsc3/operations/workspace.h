@@ -23,6 +23,8 @@ struct OperationCounts {
     std::uint64_t interface_collapses = 0; ///< of edges of the interface
     std::uint64_t interface_flips = 0;     ///< of edges of the interface
     std::uint64_t reassigned = 0;          ///< flat tets on the interface that changed phase
+
+    OperationCounts& operator+=(const OperationCounts& other);
 };
 
 /// Edges with longer rings are not removed: the work grows with the cube of the length.

@@ -11,6 +11,7 @@
 #include "scenes/output/machine.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
+#include "scenes/space/run.h"
 
 #include <unistd.h>
 
@@ -63,8 +64,9 @@ struct Arguments {
     std::optional<int> every;
 };
 
-void list_scenes(const std::vector<Scene>& scenes) {
-    for (const Scene& scene : scenes) {
+template <class AnyScene>
+void list_scenes(const std::vector<AnyScene>& scenes) {
+    for (const AnyScene& scene : scenes) {
         std::cout << std::left << std::setw(22) << scene.name << scene.description << " ["
                   << scene.section << "]; keys:";
         for (const auto& key : scene.keys) {
@@ -176,7 +178,8 @@ RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes
             .commit = {}};
 }
 
-Parameters with_settings(const Scene& scene, const std::vector<std::string>& settings) {
+template <class AnyScene>
+Parameters with_settings(const AnyScene& scene, const std::vector<std::string>& settings) {
     Parameters parameters = scene.defaults;
     for (const std::string& setting : settings) {
         apply_setting(parameters, scene.keys, setting);
@@ -232,8 +235,33 @@ void check_files(const Arguments& arguments, const RunOrigin& origin, const Scen
     check_outputs(outputs, others);
 }
 
+// A scene in three dimensions, which knows --set and --json alone.
+int run(const space::Scene& scene, const Arguments& arguments) {
+    if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
+        arguments.edits || arguments.pictures || arguments.checkpoint ||
+        !arguments.run.frames.folder.empty() || arguments.run.stop_after) {
+        throw InputError({.what = "not for scenes in three dimensions",
+                          .where = "run " + scene.name,
+                          .value = "an option beside --set and --json",
+                          .allowed = "--set and --json"});
+    }
+    std::signal(SIGINT, on_interrupt);
+    std::signal(SIGTERM, on_interrupt);
+    const space::RunResult result =
+        space::run_scene(scene, with_settings(scene, arguments.settings), interrupted);
+    space::print_summary(result);
+    if (arguments.json) {
+        write_file(*arguments.json, space::to_json(result));
+    }
+    return result.holds() && !result.interrupted ? 0 : 1;
+}
+
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
     check_usage(arguments);
+    if (const space::Scene* scene =
+            arguments.scene ? space::find_scene(*arguments.scene) : nullptr) {
+        return run(*scene, arguments);
+    }
     const std::optional<Checkpoint> checkpoint =
         arguments.resume ? std::optional(read_checkpoint(*arguments.resume)) : std::nullopt;
     RunOrigin origin = checkpoint ? checkpoint->origin : origin_of(arguments, scenes);
@@ -376,6 +404,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
         ->allow_extra_args(false);
     const auto list_all = [&] {
         list_scenes(scenes);
+        list_scenes(space::catalogue());
         return 0;
     };
     const auto describe_one = [&] {

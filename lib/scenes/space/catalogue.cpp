@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "scenes/space/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dsc::scenes::space {
+
+namespace {
+
+using dsc3::Point;
+using std::numbers::pi;
+using Positions = std::span<const Point>;
+using Velocities = std::span<Point>;
+
+double ball_volume(double radius) { return 4.0 / 3 * pi * std::pow(radius, 3); }
+
+// A ball that ends as a ball, in steps that last as long as an edge is, unless their number is
+// given.
+Setup ball_setup(const Parameters& p, double duration, const Point& first, double first_radius,
+                 const Point& last, double last_radius) {
+    Setup setup;
+    setup.shape = dsc3::ball(first, first_radius);
+    setup.steps = p.steps > 0 ? p.steps : static_cast<int>(std::ceil(duration / p.h - 1e-9));
+    setup.dt = duration / setup.steps;
+    setup.last = dsc3::ball(last, last_radius);
+    setup.volume_last = ball_volume(last_radius);
+    return setup;
+}
+
+Setup translation(const Parameters& p) {
+    const Point velocity(0.4, 0.4, 0.4);
+    const Point first(0.3, 0.3, 0.3);
+    Setup setup = ball_setup(p, 1, first, 0.15, first + velocity, 0.15);
+    setup.velocity = [velocity](Positions positions, double, Velocities velocities) {
+        std::fill_n(velocities.begin(), positions.size(), velocity);
+    };
+    return setup;
+}
+
+Setup rotation(const Parameters& p) {
+    const Point first(0.5, 0.7, 0.5);
+    Setup setup = ball_setup(p, 1, first, 0.15, first, 0.15);
+    setup.velocity = [](Positions positions, double, Velocities velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const double x = positions[i].x() - 0.5;
+            const double y = positions[i].y() - 0.5;
+            velocities[i] = {-2 * pi * y, 2 * pi * x, 0};
+        }
+    };
+    return setup;
+}
+
+// D. Enright et al., "A hybrid particle level set method for improved interface capturing" (2002);
+// the field is that of R. J. LeVeque (1996).
+Setup enright(const Parameters& p) {
+    const Point first(0.35, 0.35, 0.35);
+    const double period = p.period;
+    Setup setup = ball_setup(p, period, first, 0.15, first, 0.15);
+    setup.velocity = [period](Positions positions, double time, Velocities velocities) {
+        const double factor = std::cos(pi * time / period);
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            const Point at = pi * positions[i];
+            const Point s(std::sin(at.x()), std::sin(at.y()), std::sin(at.z()));
+            const Point d(2 * s.x() * std::cos(at.x()), 2 * s.y() * std::cos(at.y()),
+                          2 * s.z() * std::cos(at.z()));
+            velocities[i] = {2 * factor * s.x() * s.x() * d.y() * d.z(),
+                             -factor * d.x() * s.y() * s.y() * d.z(),
+                             -factor * d.x() * d.y() * s.z() * s.z()};
+        }
+    };
+    return setup;
+}
+
+Setup growing(const Parameters& p) {
+    const Point middle(0.5, 0.5, 0.5);
+    Setup setup = ball_setup(p, 1, middle, 0.1, middle, 0.3);
+    setup.velocity = [middle](Positions positions, double, Velocities velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = 0.2 * (positions[i] - middle).normalized();
+        }
+    };
+    return setup;
+}
+
+} // namespace
+
+const std::vector<Scene>& catalogue() {
+    const Parameters defaults{.h = 1.0 / 32};
+    Parameters returning = defaults;
+    returning.period = 3;
+    static const std::vector<Scene> scenes{
+        {"translation-3d", "a ball is carried along", "3D", defaults, translation},
+        {"rotation-3d", "a ball turns about an axis", "3D", defaults, rotation},
+        {"enright",
+         "a ball becomes a film and comes back",
+         "3D",
+         returning,
+         enright,
+         {"h", "steps", "period", "integrator"}},
+        {"growing-sphere", "a ball grows along its normals", "3D", defaults, growing},
+    };
+    return scenes;
+}
+
+const Scene* find_scene(const std::string& name) {
+    const auto& scenes = catalogue();
+    const auto at = std::find_if(scenes.begin(), scenes.end(),
+                                 [&](const Scene& scene) { return scene.name == name; });
+    return at == scenes.end() ? nullptr : &*at;
+}
+
+} // namespace dsc::scenes::space

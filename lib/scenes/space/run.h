@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Runs a scene in three dimensions and measures it. Measuring is not timed.
+#pragma once
+
+#include "dsc3/queries/phases.h"
+#include "scenes/space/scene.h"
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+
+namespace dsc::scenes::space {
+
+/// What a run came to. Lengths and volumes are in units of the domain.
+struct RunResult {
+    std::string scene;
+    Parameters parameters;
+    std::vector<std::string> keys; ///< of the scene
+    int steps = 0;                 ///< that were done
+    bool interrupted = false;
+    std::uint32_t tets_first = 0;
+    std::uint32_t tets_last = 0;
+    std::uint32_t interface_vertices_last = 0;
+    std::uint32_t interface_vertices_most = 0;
+    double volume_first = 0;
+    double volume_last = 0;
+    double volume_exact_last = 0;
+    /// Volume between the interface and the exact one, over the exact volume: the distance from the
+    /// exact shape integrated over the faces.
+    double sd_rel_last = 0;
+    double vertex_error_rms = 0; ///< distance of the interface's vertices from the exact shape
+    double vertex_error_max = 0;
+    dsc3::MeshQuality quality_last;
+    dsc3::MeshQuality quality_ever;
+    std::uint64_t inverted = 0;  ///< steps after which a tet was inverted
+    std::string problem;         ///< what `validate` found at the end
+    dsc3::StepReport sum;        ///< over all steps
+    std::uint64_t tet_steps = 0; ///< tets, summed over the steps
+    double cpu_s = 0;
+    double wall_s = 0;
+    double first_step_us = 0;
+    double step_us_median = 0;
+    std::uint64_t mesh_hash = 0;
+
+    /// Whether no invariant was broken, and all vertices arrived.
+    [[nodiscard]] bool holds() const {
+        return problem.empty() && inverted == 0 && sum.unreached == 0 &&
+               sum.gave_up == dsc3::GiveUp::none;
+    }
+};
+
+/// Runs all steps, or those until the flag is set.
+[[nodiscard]] RunResult run_scene(const Scene& scene, const Parameters& parameters,
+                                  const std::atomic<bool>& interrupted);
+
+/// One JSON object.
+[[nodiscard]] std::string to_json(const RunResult& result);
+
+/// Some lines for a reader.
+void print_summary(const RunResult& result);
+
+} // namespace dsc::scenes::space

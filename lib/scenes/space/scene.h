@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Scenes in three dimensions: a shape, a flow, and the shape that an exact method would have.
+#pragma once
+
+#include "dsc3/algorithm/simulation.h"
+#include "dsc3/initial/initial_complex.h"
+#include "scenes/parameters.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dsc::scenes::space {
+
+/// A scene with its parameters filled in.
+struct Setup {
+    dsc3::Box domain{};
+    dsc3::Distance shape{};
+    dsc3::Velocity velocity{};
+    double dt = 0;
+    int steps = 0;
+    dsc3::Distance last{};  ///< the exact shape at the end
+    double volume_last = 0; ///< of the exact shape at the end
+};
+
+struct Scene {
+    std::string name;
+    std::string description;
+    std::string section; ///< where it comes from
+    Parameters defaults{};
+    std::function<Setup(const Parameters&)> prepare{};
+    std::vector<std::string> keys{"h", "steps", "integrator"}; ///< that --set accepts
+};
+
+/// All of them.
+[[nodiscard]] const std::vector<Scene>& catalogue();
+
+/// The scene of that name; null if it is none in three dimensions.
+[[nodiscard]] const Scene* find_scene(const std::string& name);
+
+} // namespace dsc::scenes::space
