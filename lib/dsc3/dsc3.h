@@ -27,4 +27,5 @@
 
 #include "dsc3/algorithm/simulation.h"
 
+#include "dsc3/io/ply.h"
 #include "dsc3/io/vtu.h"

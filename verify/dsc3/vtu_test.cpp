@@ -61,6 +61,14 @@ TEST(Vtu3, HoldsTetsAndFaces) {
               3 * interface_faces(complex).size());
     EXPECT_EQ(numbers<Phase>(faces, "inside").front(), 3U);
     EXPECT_EQ(numbers<Phase>(faces, "outside").front(), 0U);
+    const std::string surface = written(write_ply, complex);
+    const std::size_t vertices = std::stoul(surface.substr(surface.find("vertex ") + 7));
+    const std::size_t faces_of_surface = std::stoul(surface.substr(surface.find("face ") + 5));
+    EXPECT_EQ(vertices, numbers<double>(faces, "Points").size() / 3);
+    EXPECT_EQ(faces_of_surface, interface_faces(complex).size());
+    EXPECT_EQ(vertices - 3 * faces_of_surface / 2 + faces_of_surface, 2U);
+    EXPECT_EQ(surface.size() - surface.find("end_header\n") - 11,
+              24 * vertices + 13 * faces_of_surface);
     EXPECT_THROW(write_vtu(complex, "no/such/folder/x.vtu"), FileError);
 }
 

@@ -57,6 +57,18 @@ class SceneGood(CommandLine):
         self.assertLess(result["sd_rel_last"], 0.06)
         self.assertGreater(result["min_dihedral_deg_ever"], 7)
 
+    def test_frames_in_three_dimensions(self):
+        """A flow that comes back is measured half-way, where a coarse film is already off."""
+        done = self.call("run", "enright", "--set", "h=0.0625", "--set", "period=0.5", "--json",
+                         self.path("r.json"), "--frames", self.path("f"), "--at", "0.25")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            result = json.load(stream)
+        self.assertLess(result["sd_rel_half"], 0.08)
+        self.assertGreater(result["sd_rel_half"], 0.04)
+        self.assertEqual(sorted(os.listdir(self.path("f"))),
+                         ["enright.pvd", "enright_00004.ply", "enright_00004.vtu"])
+
     def test_threads_are_enough(self):
         """The interface is long enough for two threads to be used, once they are tried."""
         hashes = set()

@@ -235,20 +235,28 @@ void check_files(const Arguments& arguments, const RunOrigin& origin, const Scen
     check_outputs(outputs, others);
 }
 
-// A scene in three dimensions, which knows --set and --json alone.
+// A scene in three dimensions takes fewer options.
 int run(const space::Scene& scene, const Arguments& arguments) {
     if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
-        arguments.edits || arguments.pictures || arguments.checkpoint ||
-        !arguments.run.frames.folder.empty() || arguments.run.stop_after) {
+        arguments.edits || arguments.pictures || arguments.checkpoint || arguments.run.stop_after) {
         throw InputError({.what = "not for scenes in three dimensions",
                           .where = "run " + scene.name,
-                          .value = "an option beside --set and --json",
-                          .allowed = "--set and --json"});
+                          .value = "another option",
+                          .allowed = "--set, --json, --frames, --every and --at"});
     }
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-    const space::RunResult result =
-        space::run_scene(scene, with_settings(scene, arguments.settings), interrupted);
+    FramePlan frames = arguments.run.frames;
+    frames.every = arguments.every.value_or(0);
+    if (arguments.json) {
+        std::vector<NamedFile> others;
+        if (const std::filesystem::path folder(frames.folder); !folder.empty()) {
+            others.push_back({"--frames", (folder / "").parent_path().string()});
+        }
+        check_outputs({{"--json", *arguments.json}}, others);
+    }
+    const Parameters parameters = with_settings(scene, arguments.settings);
+    heed_interrupts();
+    std::signal(SIGXFSZ, SIG_IGN);
+    const space::RunResult result = space::run_scene(scene, parameters, frames, interrupted);
     space::print_summary(result);
     if (arguments.json) {
         write_file(*arguments.json, space::to_json(result));

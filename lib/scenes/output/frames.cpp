@@ -92,16 +92,21 @@ std::string Frames::path_of(int step) const {
     return (std::filesystem::path(plan_.folder) / (name_ + number)).string();
 }
 
+std::string Frames::enter(int step, double time) {
+    std::string path = path_of(step);
+    entries_.emplace_back(time, std::filesystem::path(path + ".vtu").filename().string());
+    return path;
+}
+
 template <class Real>
 std::string Frames::write(int step, double time, const Complex<Real>& complex,
                           std::span<const VtuArray> more) {
-    std::string path = path_of(step) + ".vtu";
+    std::string path = enter(step, time) + ".vtu";
     write_vtu(complex, path, more);
     if (!plan_.layers.empty()) {
         write_picture(complex, plan_.layers, name_ + ", time " + to_text(time),
                       path_of(step) + ".svg");
     }
-    entries_.emplace_back(time, std::filesystem::path(path).filename().string());
     return path;
 }
 

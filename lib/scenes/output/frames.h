@@ -43,6 +43,8 @@ public:
     [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, setup_, step); }
     /// The path of a step's frame, without the ending.
     [[nodiscard]] std::string path_of(int step) const;
+    /// Notes a frame, of which a .vtu is to be written; returns its path without the ending.
+    std::string enter(int step, double time);
     /// Writes the mesh, with these arrays beside its own, and its picture, if it is asked for.
     /// Returns the path of the mesh. Throws FileError.
     template <class Real>

@@ -58,6 +58,9 @@ Setup enright(const Parameters& p) {
     const Point first(0.35, 0.35, 0.35);
     const double period = p.period;
     Setup setup = ball_setup(p, period, first, 0.15, first, 0.15);
+    if (setup.steps % 2 == 0) {
+        setup.half_step = setup.steps / 2;
+    }
     setup.velocity = [period](Positions positions, double time, Velocities velocities) {
         const double factor = std::cos(pi * time / period);
         for (std::size_t i = 0; i < positions.size(); ++i) {

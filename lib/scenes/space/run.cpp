@@ -5,6 +5,7 @@
 #include "scenes/keys.h"
 #include "scenes/output/machine.h"
 #include "scenes/run/clock.h"
+#include "scenes/space/measure.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,8 +18,6 @@ namespace dsc::scenes::space {
 
 namespace {
 
-using dsc3::Point;
-
 void add(dsc3::StepReport& sum, const dsc3::StepReport& step) {
     sum.sub_steps += step.sub_steps;
     sum.passes += step.passes;
@@ -30,49 +29,29 @@ void add(dsc3::StepReport& sum, const dsc3::StepReport& step) {
     sum.operations += step.operations;
 }
 
-// The integral of the distance over a triangle, by a rule of 64 pieces.
-double between(const dsc3::Distance& distance, const Point& a, const Point& b, const Point& c) {
-    constexpr int n = 8;
-    double sum = 0;
-    for (int i = 0; i < n; ++i) {
-        for (int j = 0; i + j < n; ++j) {
-            for (int k = 1; k <= (i + j + 1 < n ? 2 : 1); ++k) {
-                sum += std::abs(
-                    distance(a + (i + k / 3.0) / n * (b - a) + (j + k / 3.0) / n * (c - a)));
-            }
-        }
-    }
-    return (b - a).cross(c - a).norm() / 2 * sum / (n * n);
-}
-
 void measure_end(const dsc3::Complex& complex, const Setup& setup, RunResult& result) {
     result.tets_last = complex.tet_count();
     result.volume_last = dsc3::phase_volume(complex, 1);
     result.volume_exact_last = setup.volume_last;
-    for (const dsc3::InterfaceFace& face : dsc3::interface_faces(complex)) {
-        const auto& [a, b, c] = face.v;
-        result.sd_rel_last +=
-            between(setup.last, complex.at(a), complex.at(b), complex.at(c)) / setup.volume_last;
-    }
-    double squares = 0;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (complex.is_interface(dsc3::Vertex{v})) {
-            const double off = std::abs(setup.last(complex.at(v)));
-            squares += off * off;
-            result.vertex_error_max = std::max(result.vertex_error_max, off);
-            ++result.interface_vertices_last;
-        }
-    }
-    result.vertex_error_rms = std::sqrt(squares / result.interface_vertices_last);
+    result.sd_rel_last = volume_between(complex, setup.last) / setup.volume_last;
+    const VertexErrors errors = vertex_errors(complex, setup.last);
+    result.interface_vertices_last = errors.vertices;
+    result.vertex_error_rms = errors.rms;
+    result.vertex_error_max = errors.largest;
     result.problem = dsc3::validate(complex).problem;
     result.mesh_hash = dsc3::mesh_hash(complex);
 }
 
 } // namespace
 
-RunResult run_scene(const Scene& scene, const Parameters& parameters,
+RunResult run_scene(const Scene& scene, const Parameters& parameters, const FramePlan& plan,
                     const std::atomic<bool>& interrupted) {
     const Setup setup = scene.prepare(parameters);
+    scenes::Setup times;
+    times.steps = setup.steps;
+    times.dt = setup.dt;
+    times.half_step = setup.half_step;
+    Frames frames(plan, scene.name, times);
     dsc3::Complex complex =
         dsc3::initial_complex(setup.domain, {{setup.shape, 1}}, {.edge_length = parameters.h});
     dsc3::Options options;
@@ -92,14 +71,22 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters,
     result.keys = scene.keys;
     result.tets_first = complex.tet_count();
     result.volume_first = dsc3::phase_volume(complex, 1);
-    std::vector<double> times;
+    const auto write_frame = [&] {
+        if (frames.is_due(result.steps)) {
+            const std::string path = frames.enter(result.steps, result.steps * setup.dt);
+            dsc3::write_vtu(complex, path + ".vtu");
+            dsc3::write_ply(complex, path + ".ply");
+        }
+    };
+    write_frame();
+    std::vector<double> step_times;
     while (result.steps < setup.steps && !interrupted.load() &&
            result.sum.gave_up == dsc3::GiveUp::none) {
         const Stopwatch watch;
         const dsc3::StepReport step =
             simulation.step(setup.velocity, result.steps * setup.dt, setup.dt);
-        times.push_back(watch.wall());
-        result.wall_s += times.back();
+        step_times.push_back(watch.wall());
+        result.wall_s += step_times.back();
         result.cpu_s += watch.cpu();
         ++result.steps;
         add(result.sum, step);
@@ -113,12 +100,18 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters,
                 std::min(ever.min_face_angle, now.min_face_angle)};
         result.quality_last = now;
         result.inverted += now.worst > 0 ? 0U : 1U;
+        write_frame();
+        if (setup.half_step == result.steps) {
+            result.sd_rel_half =
+                volume_between(complex, setup, result.steps * setup.dt) / setup.volume_last;
+        }
     }
+    frames.finish({});
     result.interrupted = result.steps < setup.steps && interrupted.load();
-    if (!times.empty()) {
-        result.first_step_us = 1e6 * times.front();
-        std::sort(times.begin(), times.end());
-        result.step_us_median = 1e6 * times[times.size() / 2];
+    if (!step_times.empty()) {
+        result.first_step_us = 1e6 * step_times.front();
+        std::sort(step_times.begin(), step_times.end());
+        result.step_us_median = 1e6 * step_times[step_times.size() / 2];
     }
     measure_end(complex, setup, result);
     return result;
@@ -149,6 +142,8 @@ std::string to_json(const RunResult& r) {
         {"volume_exact_last", r.volume_exact_last},
         {"volume_ratio", r.volume_last / r.volume_first},
         {"sd_rel_last", r.sd_rel_last},
+        {"sd_rel_half",
+         r.sd_rel_half ? nlohmann::ordered_json(*r.sd_rel_half) : nlohmann::ordered_json(nullptr)},
         {"vertex_error_rms", r.vertex_error_rms},
         {"vertex_error_max", r.vertex_error_max},
         {"min_quality_last", r.quality_last.worst},

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "dsc3/queries/phases.h"
+#include "scenes/output/frames.h"
 #include "scenes/space/scene.h"
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace dsc::scenes::space {
@@ -25,9 +27,8 @@ struct RunResult {
     double volume_first = 0;
     double volume_last = 0;
     double volume_exact_last = 0;
-    /// Volume between the interface and the exact one, over the exact volume: the distance from the
-    /// exact shape integrated over the faces.
-    double sd_rel_last = 0;
+    double sd_rel_last = 0; ///< volume between the interface and the exact one, relative
+    std::optional<double> sd_rel_half{}; ///< the same where a flow turns back
     double vertex_error_rms = 0; ///< distance of the interface's vertices from the exact shape
     double vertex_error_max = 0;
     dsc3::MeshQuality quality_last;
@@ -49,9 +50,10 @@ struct RunResult {
     }
 };
 
-/// Runs all steps, or those until the flag is set.
+/// Runs all steps, or those until the flag is set. A frame is the tets (.vtu) and the interface
+/// (.ply). Throws InputError for an integrator that there is not, and for frames as `Frames` does.
 [[nodiscard]] RunResult run_scene(const Scene& scene, const Parameters& parameters,
-                                  const std::atomic<bool>& interrupted);
+                                  const FramePlan& plan, const std::atomic<bool>& interrupted);
 
 /// One JSON object.
 [[nodiscard]] std::string to_json(const RunResult& result);

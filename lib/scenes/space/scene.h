@@ -7,6 +7,7 @@
 #include "scenes/parameters.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,9 @@ struct Setup {
     dsc3::Velocity velocity{};
     double dt = 0;
     int steps = 0;
-    dsc3::Distance last{};  ///< the exact shape at the end
-    double volume_last = 0; ///< of the exact shape at the end
+    std::optional<int> half_step{}; ///< where a flow that keeps volumes turns back
+    dsc3::Distance last{};          ///< the exact shape at the end
+    double volume_last = 0;         ///< of the exact shape at the end
 };
 
 struct Scene {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The interface as a surface, for programs that show or process surfaces.
+#pragma once
+
+#include "dsc3/complex/complex.h"
+
+#include <string>
+
+namespace dsc3 {
+
+/// Writes the faces of the interface, counter-clockwise as seen from the lower phase, as binary
+/// PLY. The file exists as a whole or not at all. Throws FileError. O(mesh).
+void write_ply(const Complex& complex, const std::string& path);
+
+} // namespace dsc3
