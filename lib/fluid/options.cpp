@@ -65,7 +65,7 @@ void check_tensions(const FluidOptions& options) {
 void check_fluid(const FluidOptions& options) {
     check_phases(options.phases);
     if (!options.phases.empty() && std::ranges::all_of(options.phases, &FluidPhase::is_void)) {
-        throw InputError({.what = "nothing flows",
+        throw InputError({.what = "all phases are void, so there is nothing to solve for",
                           .where = "FluidOptions::phases",
                           .value = "only voids",
                           .allowed = "a phase with fluid"});

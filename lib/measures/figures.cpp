@@ -24,7 +24,7 @@ double number(const Figures& figures, std::string_view name) {
     for (const Figure& figure : figures) {
         names += (names.empty() ? "" : ", ") + figure.name;
     }
-    throw InputError({.what = "no such number",
+    throw InputError({.what = "unknown figure",
                       .where = "figure",
                       .value = "'" + std::string(name) + "'",
                       .allowed = names});

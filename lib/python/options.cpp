@@ -38,7 +38,7 @@ private:
         try {
             return result.cast<double>();
         } catch (const py::cast_error&) {
-            throw InputError({.what = "not a length",
+            throw InputError({.what = "a size function must return a number",
                               .where = "what a size function returns",
                               .value = shown(result),
                               .allowed = "a number"});

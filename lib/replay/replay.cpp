@@ -220,7 +220,7 @@ void check_kinds(std::span<const Edit> edits, bool has_others) {
                                  edit.kind == EditKind::insert_triangle ||
                                  edit.kind == EditKind::remove_triangle;
         if (edit.kind == EditKind::rebuild || (of_a_module && !has_others)) {
-            throw InputError({.what = "the log does not contain how to repeat a record",
+            throw InputError({.what = "this record cannot be repeated from the log alone",
                               .where = "replay",
                               .value = std::string(to_string(edit.kind)),
                               .allowed = of_a_module ? "this kind with a function that repeats it"

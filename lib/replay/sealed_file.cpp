@@ -28,7 +28,7 @@ static_assert(sizeof(Header) == header_size);
 std::array<char, 8> padded(const SealedKind& kind) {
     std::array<char, 8> name{};
     if (kind.name.empty() || kind.name.size() > name.size()) {
-        throw InputError({.what = "not the name of a kind of file",
+        throw InputError({.what = "the name of a file kind has the wrong length",
                           .where = "SealedKind",
                           .value = "'" + kind.name + "'",
                           .allowed = "1 to 8 bytes"});

@@ -46,7 +46,7 @@ TEST(FluidOptions, PropertiesAreFiniteAndOfOneSign) {
     expect_refused("implicitness", [](auto& o) { o.implicitness = 0.4; });
     expect_refused("tolerance", [](auto& o) { o.tolerance = -1; });
     expect_refused("threads", [](auto& o) { o.threads = 0; });
-    expect_refused("nothing flows",
+    expect_refused("all phases are void, so there is nothing to solve for",
                    [](auto& o) { o.phases[0].is_void = o.phases[1].is_void = true; });
 }
 

@@ -77,7 +77,7 @@ Cases cases_of(const std::string& path, const std::string& suite) {
         same.parameters = own.parameters;
         for (const Held& held : same.held) {
             if (const std::string reason = why_not(*held.check, same); !reason.empty()) {
-                throw dsc::InputError({.what = "a limit without its measure",
+                throw dsc::InputError({.what = "the run does not measure the figure of this limit",
                                        .where = held.limit.where,
                                        .value = reason,
                                        .allowed = "limits of figures that the run has"});

@@ -64,7 +64,8 @@ void read_limits(const TableReader& limits, const Common& common, bool is_own, C
         const std::string reason = why_not(*check, c);
         if (!reason.empty()) {
             limits.refuse(check->name,
-                          "a limit without its measure in case " + c.name + ", " + reason,
+                          "the run does not measure the figure of this limit in case " + c.name +
+                              ", " + reason,
                           "limits of figures that the run has");
         }
         c.held.push_back({check, limit});

@@ -18,7 +18,7 @@ constexpr TriangleRecord border_record{
 constexpr TriangleRecord dead_record{{no_id, no_id, no_id}, border_record.n, border_phase, 0};
 
 [[noreturn]] void refuse_to_grow(const char* of_what, std::uint32_t number, std::uint32_t most) {
-    throw InputError({.what = "the mesh has no ids left",
+    throw InputError({.what = "the mesh has reached its largest size",
                       .where = "Complex",
                       .value = std::to_string(number) + " " + of_what,
                       .allowed = "at most " + std::to_string(most)});
@@ -28,10 +28,10 @@ constexpr TriangleRecord dead_record{{no_id, no_id, no_id}, border_record.n, bor
 
 void InUse::expect_free() const {
     if (by_a_simulation) {
-        throw InputError({.what = "a complex that another simulation works on",
+        throw InputError({.what = "this complex already belongs to another Simulation",
                           .where = "Simulation",
-                          .value = "a second simulation",
-                          .allowed = "one at a time: the first must be destroyed before"});
+                          .value = "a second Simulation",
+                          .allowed = "one Simulation at a time: destroy the other one first"});
     }
 }
 

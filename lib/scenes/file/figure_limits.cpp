@@ -100,7 +100,7 @@ void check_measured(const std::vector<FigureLimit>& limits, const Setup& setup) 
     for (const FigureLimit& limit : limits) {
         const std::string reason = why_missing(limit.figure, setup);
         if (!reason.empty()) {
-            throw InputError({.what = "a limit without its measure",
+            throw InputError({.what = "the run does not measure the figure of this limit",
                               .where = limit.where,
                               .value = limit.figure + ": " + reason,
                               .allowed = "limits of figures that the run has"});

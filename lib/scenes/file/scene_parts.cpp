@@ -60,7 +60,7 @@ std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, con
         const bool is_hole = setup.phases[i] == exterior_phase;
         if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
             throw InputError(
-                {.what = "the exact shapes of several phases",
+                {.what = "an exact shape is known for one phase only",
                  .where = shapes.front().where,
                  .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
                  .allowed = "shapes of one phase, and their holes"});
@@ -188,11 +188,11 @@ void check_grains(const Scene& scene, const Parameters& parameters, const std::s
     // Without a number, there are as many as fit: see catalogue/networks.cpp.
     if (parameters.grains > most_grains ||
         (parameters.grains == 0 && parameters.h < finest_grains)) {
-        throw InputError({.what = "too many grains for a scene file",
-                          .where = where,
-                          .value = std::to_string(parameters.grains) +
-                                   " grains, h = " + std::to_string(parameters.h),
-                          .allowed = "at most 20000 grains, or h of at least 0.001"});
+        throw InputError(
+            {.what = "too many grains for a scene file",
+             .where = where,
+             .value = std::to_string(parameters.grains) + " grains, h = " + to_text(parameters.h),
+             .allowed = "at most 20000 grains, or h of at least 0.001"});
     }
 }
 
@@ -229,8 +229,8 @@ void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes,
                Setup& setup) {
     if (exact.is_carried ? setup.flow.empty() : !(period > 0)) {
         throw InputError(
-            {.what = exact.is_carried ? "there is no flow that carries shapes along"
-                                      : "there is no time when the flow is back",
+            {.what = exact.is_carried ? "exact shapes can be carried only by a [flow]"
+                                      : "the flow has no period",
              .where = exact.where,
              .value = "true",
              .allowed = exact.is_carried ? "with a [flow]" : "with a period above 0 in [options]"});

@@ -177,7 +177,7 @@ void FluidRun::check_pairs_meet() const {
         });
         if (!meet) {
             throw InputError(
-                {.what = "a tension of phases that never meet",
+                {.what = "a tension is given for two phases that never meet",
                  .where = "FluidOptions::tensions",
                  .value = "phases " + to_text(pair.one) + " and " + to_text(pair.other),
                  .allowed = "pairs that meet, where the topology is kept"});

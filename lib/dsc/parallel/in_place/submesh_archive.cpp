@@ -10,10 +10,11 @@ namespace dsc {
 
 void archive(Archive& archive, Region& region) {
     if (region.kind != Region::Kind::whole && region.kind != Region::Kind::box) {
-        throw InputError({.what = "a partition by a function cannot be part of a checkpoint",
-                          .where = "archive",
-                          .value = "a region of places or labels",
-                          .allowed = "boxes, such as cells"});
+        throw InputError(
+            {.what = "cannot archive a partition whose regions are given by a function",
+             .where = "archive",
+             .value = "a region of places or labels",
+             .allowed = "boxes, such as cells"});
     }
     archive.choice(region.kind, 2);
     archive(region.normal_x, region.normal_y, region.low, region.high, region.side_low,
