@@ -97,6 +97,9 @@ std::vector<Key> make_keys() {
         number("least_area", &P::least_area, 1e-3, 1e3, "0.001 to 1000, in squared edge lengths"),
         choice("seams", &P::follows_seams, no_or_yes),
         choice("give_back", &P::gives_back, no_or_yes),
+        choice("detail", &P::detail, detail_names),
+        number("border_tolerance", &P::border_tolerance, 1e-3, 0.1,
+               "0.001 to 0.1, in edge lengths"),
         choice("real", &P::real, real_type_names),
         number("seed", &P::seed, std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1"),
     };

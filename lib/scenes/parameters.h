@@ -2,6 +2,7 @@
 // The parameters of a scene that can be set without writing code; keys.h gives each a name.
 #pragma once
 
+#include "dsc/initial/initial_complex.h"
 #include "dsc/passes/options.h"
 #include "scenes/integrator_choice.h"
 #include "topology/options.h"
@@ -61,7 +62,9 @@ struct Parameters {
     double least_area = 1; ///< of a piece that does not vanish, in squared edge lengths
     bool follows_seams = true; ///< films go on opening beside where they have opened
     double grade = 0; ///< how much longer edges grow, from one to the next; 0: all of one length
-    bool gives_back = false; ///< area that changes of topology take
+    bool gives_back = false;                 ///< area that changes of topology take
+    Detail detail = InitialOptions{}.detail; ///< what happens to detail finer than the mesh
+    double border_tolerance = InitialOptions{}.border_tolerance; ///< in edge lengths
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
 };

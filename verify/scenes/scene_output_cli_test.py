@@ -51,6 +51,17 @@ class Checkpoints(CommandLine):
                 return
             time.sleep(0.1)
 
+    def test_what_was_left_out_is_told(self):
+        with open(self.path("small.toml"), "w", encoding="utf-8") as stream:
+            stream.write("[options]\nh = 0.1\ndt = 0.1\nsteps = 1\n[[shape]]\n"
+                         "rectangle = { low = [0.5, 0.5], high = [0.52, 0.52] }\n")
+        done = self.call("run", "small.toml", "--json", "r.json")
+        self.assertIn("\n  1 shape was left out, smaller than the edge length", done.stdout)
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            told = json.load(stream)["input"]
+        self.assertEqual((told["points"], told["thinned"], told["dropped"], told["clipped"]), (4, 0, 1, 0))
+        self.assertAlmostEqual(told["area_dropped"], 4e-4)
+
     def test_an_interruption_writes_a_checkpoint(self):
         # A terminal that closes often sends two SIGHUP: one by itself, one by the shell.
         for signals in ((signal.SIGHUP, signal.SIGHUP), (signal.SIGTERM,)):

@@ -85,6 +85,30 @@ Frame choose_frame(const Point<double>& low, const Point<double>& high) {
     return frame;
 }
 
+std::vector<std::string> sentences(const InputReport& report) {
+    const auto counted = [](std::size_t count, const std::string& one, const std::string& many) {
+        return std::to_string(count) + ' ' + (count == 1 ? one + " was " : many + " were ");
+    };
+    std::vector<std::string> all;
+    if (report.thinned > 0) {
+        all.push_back(counted(report.thinned, "point", "points") + "left out of " +
+                      std::to_string(report.points) +
+                      ", at edges too short for the mesh: at most " + to_text(report.deviation) +
+                      " from the interface, which changes areas by " +
+                      to_text(report.area_changed));
+    }
+    if (report.dropped > 0) {
+        all.push_back(counted(report.dropped, "shape", "shapes") +
+                      "left out, smaller than the edge length, with an area of " +
+                      to_text(report.area_dropped));
+    }
+    if (report.clipped > 0) {
+        all.push_back(counted(report.clipped, "outline", "outlines") +
+                      "cut off at the sides of the domain");
+    }
+    return all;
+}
+
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options, InputReport* report) {

@@ -100,6 +100,10 @@ struct InputReport {
     friend bool operator==(const InputReport&, const InputReport&) = default;
 };
 
+/// What a report says to people: a sentence for each kind of thing that was left out, and none
+/// where nothing was.
+[[nodiscard]] std::vector<std::string> sentences(const InputReport& report);
+
 /// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
     double edge_length = 0.05; ///< the target, in units of the coordinates

@@ -106,6 +106,9 @@ void print_summary(const RunResult& r) {
                   << number(r.fluid, "solve_s") << " s, assembly " << number(r.fluid, "assembly_s")
                   << " s, mesh " << number(r.fluid, "dsc_s") << " s";
     }
+    for (const std::string& sentence : sentences(r.input)) {
+        std::cout << "\n  " << sentence;
+    }
     std::cout << "\n  worst quality " << number(r.last, "min_quality") << " (ever "
               << r.min_quality_ever << "), smallest angle " << number(r.last, "min_angle_deg")
               << " degrees\n  inverted " << r.inverted << ", unreached " << r.unreached << "\n  "

@@ -60,8 +60,9 @@ inline void add_operations(RunResult& result, const OperationCounts& counts) {
 template <class Real>
 class DscMethod {
 public:
-    DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run)
-        : DscMethod(setup, parameters, run, first_complex<Real>(setup, parameters)) {}
+    DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run,
+              InputReport* report = nullptr)
+        : DscMethod(setup, parameters, run, first_complex<Real>(setup, parameters, report)) {}
     DscMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run,
               Complex<Real> complex)
         : setup_(setup), complex_(std::move(complex)),

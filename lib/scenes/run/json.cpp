@@ -52,6 +52,13 @@ Json phases_json(const PhaseReport& report) {
     return list;
 }
 
+Json input_json(const InputReport& input) {
+    return {{"points", input.points},       {"thinned", input.thinned},
+            {"deviation", input.deviation}, {"area_changed", input.area_changed},
+            {"dropped", input.dropped},     {"area_dropped", input.area_dropped},
+            {"clipped", input.clipped}};
+}
+
 Json parameters_json(const Parameters& parameters) {
     Json json;
     for (const Key& key : parameter_keys()) {
@@ -91,6 +98,7 @@ std::string to_json(const RunResult& r) {
         {"steps", r.steps},
         {"partial", r.is_partial()},
         {"gave_up", r.gave_up.empty() ? Json(nullptr) : Json(r.gave_up)},
+        {"input", input_json(r.input)},
         {"triangles_first", r.triangles_first},
         {"triangles_last", r.triangles_last},
         {"interface_vertices_last", r.interface_vertices_last},

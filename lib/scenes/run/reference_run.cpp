@@ -81,8 +81,8 @@ reference::Options reference_options(const Parameters& parameters) {
 }
 
 ReferenceMethod::ReferenceMethod(const Setup& setup, const Parameters& parameters,
-                                 const RunOptions&)
-    : setup_(setup), method_(to_reference(first_complex<double>(setup, parameters))),
+                                 const RunOptions&, InputReport* report)
+    : setup_(setup), method_(to_reference(first_complex<double>(setup, parameters, report))),
       options_(reference_options(parameters)) {
     if (setup.insertion) {
         const OnCircle on_circle = *setup.insertion;

@@ -20,7 +20,8 @@ namespace dsc::scenes {
 /// Of a setup, which must outlive it.
 class ReferenceMethod {
 public:
-    ReferenceMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run);
+    ReferenceMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run,
+                    InputReport* report = nullptr);
 
     void step(double begin, double end, RunResult& result);
     /// Converted anew after each step, on the first request.

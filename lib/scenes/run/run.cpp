@@ -328,7 +328,7 @@ private:
 template <class Method>
 void run_method(const Setup& setup, const Parameters& parameters, const RunOptions& options,
                 RunResult& result) {
-    Method method(setup, parameters, options);
+    Method method(setup, parameters, options, &result.input);
     Runner<Method>(setup, options, method, result).run();
 }
 

@@ -58,6 +58,7 @@ struct RunResult {
     /// Not all steps have been done: the figures are those of the last one that was.
     [[nodiscard]] bool is_partial() const { return interrupted || !gave_up.empty(); }
 
+    InputReport input; ///< what was left out of the scene's shapes or curves
     std::uint64_t triangles_first = 0;
     std::uint64_t triangles_last = 0;
     std::uint64_t interface_vertices_last = 0;

@@ -40,13 +40,15 @@ SizeOptions<double> sizes_of(const Setup& setup, const Parameters& parameters) {
 } // namespace
 
 template <class Real>
-Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
+Complex<Real> first_complex(const Setup& setup, const Parameters& parameters, InputReport* report) {
     InitialOptions options;
     options.edge_length = parameters.h;
+    options.detail = parameters.detail;
+    options.border_tolerance = parameters.border_tolerance;
     options.sizes = sizes_of(setup, parameters);
     if (!setup.curves.empty()) {
-        auto complex =
-            initial_complex<Real>(setup.domain, std::span<const dsc::Curve>(setup.curves), options);
+        auto complex = initial_complex<Real>(
+            setup.domain, std::span<const dsc::Curve>(setup.curves), options, report);
         if (setup.clamped) {
             clamp_ends(complex);
         }
@@ -56,7 +58,7 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters) {
     for (std::size_t i = 0; i < setup.outlines.size(); ++i) {
         shapes.push_back({setup.outlines[i], setup.phases.empty() ? Phase{1} : setup.phases[i]});
     }
-    return initial_complex<Real>(setup.domain, shapes, options);
+    return initial_complex<Real>(setup.domain, shapes, options, report);
 }
 
 template <class Real>
@@ -103,7 +105,7 @@ std::unique_ptr<Simulation<Real>> make_simulation(Complex<Real>& complex,
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Complex<Real> first_complex(const Setup&, const Parameters&);                         \
+    template Complex<Real> first_complex(const Setup&, const Parameters&, InputReport*);           \
     template Options<Real> scene_options(const Setup&, const Parameters&);                         \
     template TopologyOptions<Real> topology_options(const Parameters&);                            \
     template std::unique_ptr<Simulation<Real>> make_simulation(                                    \

@@ -16,8 +16,10 @@ class Simulation;
 
 namespace dsc::scenes {
 
+/// `report` says what was left out.
 template <class Real>
-Complex<Real> first_complex(const Setup& setup, const Parameters& parameters);
+Complex<Real> first_complex(const Setup& setup, const Parameters& parameters,
+                            InputReport* report = nullptr);
 template <class Real>
 Options<Real> scene_options(const Setup& setup, const Parameters& parameters);
 template <class Real>

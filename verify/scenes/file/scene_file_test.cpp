@@ -96,6 +96,30 @@ TEST(SceneFile, HasPhasesAndCurves) {
     EXPECT_EQ(curves.curvature->keeps, std::vector<Phase>{3});
 }
 
+TEST(SceneFile, TellsWhatIsTooFineForTheMesh) {
+    const std::string shapes = "[[shape]]\npoints = [[0.2, 0.2], [0.8, 0.2], [0.8, 0.201], "
+                               "[0.8, 0.8], [0.2, 0.8]]\n"
+                               "[[shape]]\nrectangle = { low = [0.9, 0.1], high = [1.2, 0.3] }\n"
+                               "[[shape]]\nrectangle = { low = [0.4, 0.4], high = [0.41, 0.41] }\n";
+    const RunResult result = run_text(options + shapes);
+    EXPECT_EQ(result.input.thinned, 1U);
+    EXPECT_EQ(result.input.dropped, 1U);
+    EXPECT_EQ(result.input.clipped, 1U);
+    const std::vector<std::string> told = sentences(result.input);
+    ASSERT_EQ(told.size(), 3U);
+    EXPECT_TRUE(told[0].starts_with("1 point was left out of 13, ")) << told[0];
+    EXPECT_TRUE(told[1].starts_with("1 shape was left out, ")) << told[1];
+    EXPECT_TRUE(told[2].starts_with("1 outline was cut off ")) << told[2];
+    EXPECT_THROW((void)run_text(options + "detail = 'keep'\n" + shapes), InputError);
+    // Side by side, or with a gap between them.
+    const std::string halves = "[[shape]]\nrectangle = { low = [0.2, 0.2], high = [0.5, 0.8] }\n"
+                               "[[shape]]\nrectangle = { low = [0.505, 0.2], high = [0.8, 0.8] }\n";
+    EXPECT_EQ(run_text(options + halves).phases.phases.back().components, 2U);
+    EXPECT_EQ(
+        run_text(options + "border_tolerance = 0.1\n" + halves).phases.phases.back().components,
+        1U);
+}
+
 TEST(SceneFile, ShapesOfSeveralPhasesRun) {
     const RunResult result = run_text(
         options + "[flow]\nu = '0.1'\nv = '0'\n"
