@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Discs of as many phases that grow at a speed of 1 until the unit square is full (W. A. Johnson
+// and R. F. Mehl, 1939). Where they meet is known: each place belongs to the disc that reaches it
+// first, which is the additively weighted Voronoi diagram. It says how exactly fronts meet.
+#pragma once
+
+#include "dsc/complex/complex.h"
+#include "topology/events.h"
+
+#include <map>
+#include <vector>
+
+namespace dsc::fronts {
+
+/// Disc i is phase i + 1, in phase 0.
+struct Discs {
+    std::vector<Point<double>> centres;
+    std::vector<double> radii;
+
+    /// When the front of disc i reaches a place.
+    [[nodiscard]] double arrival(std::size_t i, const Point<double>& p) const {
+        return (p - centres[i]).norm() - radii[i];
+    }
+};
+
+/// At random places, drawn from a seed, none near another or the sides. Seed 0: two or three discs
+/// at places of their own.
+[[nodiscard]] Discs discs_of(int number, std::uint64_t seed);
+
+/// How far a complex is from the exact one.
+struct Distance {
+    double wrong_area = 0;  ///< of the triangles' parts that belong to another phase
+    double phase_error = 0; ///< largest error of the area of a disc
+    double seam_max = 0;    ///< largest distance from a seam's vertex to its bisector...
+    double seam_rms = 0;    ///< ...and the root of the mean square
+    double triple_max = 0;  ///< largest difference between the arrivals of the fronts of a junction
+    int triples = 0;        ///< junctions of three fronts or more
+};
+
+/// At a time. O(triangles * discs) beside fronts.
+[[nodiscard]] Distance distance_from_exact(const Complex<double>& complex, const Discs& discs,
+                                           double time);
+
+struct Case {
+    int number = 3;
+    std::uint64_t seed = 0;
+    double h = 0.02;
+    double step = 0.5;         ///< in edge lengths
+    double contact = 0;        ///< in edge lengths; 0: the library's default
+    std::uint32_t threads = 1; ///< 1: sequential
+};
+
+struct Result {
+    Distance last;
+    double time = 0; ///< at which the square was full
+    bool is_full = false;
+    bool is_valid = false;
+    std::map<std::string, int> events;
+    std::uint64_t unreached = 0;
+    double min_angle_last = 0; ///< in degrees
+    double min_angle_ever = 0; ///< after any step
+    double seconds = 0;        ///< of the steps
+    std::uint64_t mesh_hash = 0;
+};
+
+[[nodiscard]] Complex<double> first_complex(const Discs& discs, double h);
+[[nodiscard]] Result run(const Case& one);
+
+} // namespace dsc::fronts

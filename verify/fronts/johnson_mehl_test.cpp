@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Discs that grow until they fill the square, against the additively weighted Voronoi diagram. The
+// limits are what is reached today; the program dsc_fronts prints all figures.
+#include "fronts/johnson_mehl.h"
+
+#include "dsc/initial/initial_complex.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace dsc::fronts::johnson_mehl_test {
+namespace {
+
+TEST(JohnsonMehl, TheWrongAreaOfDiscsThatHaveNotGrownIsWhatTheyWouldGain) {
+    const Discs discs = discs_of(2, 0);
+    const Complex<double> complex = first_complex(discs, 0.01);
+    const auto ring = [&](std::size_t i, double time) {
+        return std::numbers::pi * time * (time + 2 * discs.radii[i]);
+    };
+    for (const double time : {0.005, 0.1}) { // before they meet
+        const Distance distance = distance_from_exact(complex, discs, time);
+        const double polygons = 1e-4; // what inscribed polygons lack
+        EXPECT_NEAR(distance.wrong_area, ring(0, time) + ring(1, time), 2 * polygons);
+        EXPECT_NEAR(distance.phase_error, ring(0, time), polygons);
+    }
+    EXPECT_LT(distance_from_exact(complex, discs, 0).wrong_area, 2e-4);
+    EXPECT_EQ(distance_from_exact(complex, discs, 0).seam_max, 0);
+}
+
+TEST(JohnsonMehl, ASeamAcrossTheWholeSquareIsSeenAsItIs) {
+    // Two discs of one size to the left and right of a straight seam, and of one a little off.
+    const std::vector<Curve> curves{{{{0.51, 0}, {0.51, 1}}, 1, 2}};
+    const auto complex = initial_complex<double>({}, curves, {.edge_length = 0.02});
+    const double time = 2;
+    const Discs even{{{0.21, 0.5}, {0.81, 0.5}}, {0.1, 0.1}};
+    EXPECT_LT(distance_from_exact(complex, even, time).wrong_area, 1e-12);
+    EXPECT_LT(distance_from_exact(complex, even, time).seam_max, 1e-12);
+    const Discs off{{{0.20, 0.5}, {0.80, 0.5}}, {0.1, 0.1}};
+    EXPECT_NEAR(distance_from_exact(complex, off, time).wrong_area, 0.01, 1e-9);
+    EXPECT_NEAR(distance_from_exact(complex, off, time).phase_error, 0.01, 1e-9);
+    EXPECT_NEAR(distance_from_exact(complex, off, time).seam_rms, 0.01, 1e-3);
+}
+
+TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
+    const auto expect_less = [](const Case& one, double wrong_area) {
+        const Result result = run(one);
+        EXPECT_TRUE(result.is_full && result.is_valid) << one.number << ", " << one.h;
+        EXPECT_LT(result.last.wrong_area, wrong_area) << one.number << ", " << one.h;
+    };
+    expect_less({.number = 2, .h = 0.02}, 5e-3);
+    expect_less({.number = 2, .h = 0.01}, 3e-3);
+    expect_less({.number = 3, .h = 0.02}, 5e-3);
+    expect_less({.number = 3, .h = 0.01}, 2.2e-3);
+}
+
+TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
+    double sum = 0;
+    for (const std::uint64_t seed : {11U, 12U, 13U, 14U, 15U, 16U}) {
+        const Result result = run({.number = 10, .seed = seed, .h = 0.02});
+        EXPECT_TRUE(result.is_full && result.is_valid) << seed;
+        sum += result.last.wrong_area;
+    }
+    EXPECT_LT(sum / 6, 1.8e-2);
+    const auto hash = [](std::uint32_t threads) {
+        return run({.number = 10, .seed = 11, .h = 0.02, .threads = threads}).mesh_hash;
+    };
+    EXPECT_EQ(hash(2), hash(3));
+}
+
+} // namespace
+} // namespace dsc::fronts::johnson_mehl_test
