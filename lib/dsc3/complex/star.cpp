@@ -1,32 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "dsc3/complex/star.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace dsc3 {
 
 void IdTable::clear() {
     count_ = 0;
-    if (slots_.size() > 256) { // a large table spoils the cache for the small stars that follow
-        slots_.resize(256);
-        shift_ = 24;
+    if (mask_ != 255) { // a large table is dear to empty for the small stars that follow
+        *this = IdTable();
+        return;
     }
-    if (++epoch_ == 0) {
-        slots_.assign(slots_.size(), {});
-        epoch_ = 1;
-    }
+    std::fill_n(slots_.data(), 256, no_id);
 }
 
 void IdTable::grow() {
-    std::vector<Slot> old(2 * slots_.size());
-    old.swap(slots_);
+    const std::vector<std::uint32_t> old = std::move(slots_);
+    slots_.assign(2 * old.size(), no_id);
+    mask_ = 2 * mask_ + 1;
     --shift_;
-    const std::size_t count = count_;
     count_ = 0;
-    for (const Slot& slot : old) {
-        if (slot.epoch == epoch_) {
-            enter(slot.id);
+    for (const std::uint32_t id : old) {
+        if (id != no_id) {
+            enter(id);
         }
     }
-    count_ = count;
 }
 
 void gather(const Complex& complex, std::uint32_t vertex, Star& star) {

@@ -10,42 +10,33 @@
 
 namespace dsc3 {
 
-/// The ids that a walk has met: a hash table that is emptied in O(1).
+/// The ids that a walk has met: a hash table, small enough for the nearest cache.
 class IdTable {
 public:
     /// Forgets all ids.
     void clear();
-    /// Whether the id is new; it is known from now on. O(1).
+    /// Whether the id, not `no_id`, is new; it is known from now on. O(1).
     bool enter(std::uint32_t id) {
-        if (2 * ++count_ > slots_.size()) {
-            grow();
-        }
         std::uint32_t place = (id * 2654435761U) >> shift_;
-        while (slots_[place].epoch == epoch_) {
-            if (slots_[place].id == id) {
-                --count_;
+        for (; slots_[place] != no_id; place = (place + 1) & mask_) {
+            if (slots_[place] == id) {
                 return false;
             }
-            place = (place + 1) & mask();
         }
-        slots_[place] = {id, epoch_};
+        slots_[place] = id;
+        if (2 * ++count_ > mask_) {
+            grow();
+        }
         return true;
     }
 
 private:
-    struct Slot {
-        std::uint32_t id = 0;
-        std::uint32_t epoch = 0;
-    };
-    [[nodiscard]] std::uint32_t mask() const {
-        return static_cast<std::uint32_t>(slots_.size()) - 1;
-    }
     void grow();
 
-    std::vector<Slot> slots_ = std::vector<Slot>(256);
+    std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(256, no_id);
+    std::uint32_t mask_ = 255;
     std::uint32_t shift_ = 24;
-    std::uint32_t epoch_ = 1;
-    std::size_t count_ = 0;
+    std::uint32_t count_ = 0;
 };
 
 /// The tets around a vertex, by their corners there.
