@@ -57,6 +57,17 @@ class SceneGood(CommandLine):
         self.assertLess(result["sd_rel_last"], 0.06)
         self.assertGreater(result["min_dihedral_deg_ever"], 7)
 
+    def test_a_slotted_sphere_keeps_its_slot(self):
+        """The edges that the first complex has rounded are all that differs after a turn."""
+        done = self.call("run", "slotted-sphere", "--set", "h=0.03125", "--json", self.path("r.json"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            result = json.load(stream)
+        self.assertAlmostEqual(result["volume_ratio"], 1, delta=1e-3)
+        self.assertLess(result["vertex_error_max"], 1e-6)
+        self.assertLess(result["sd_rel_last"], 0.04)
+        self.assertGreater(result["min_dihedral_deg_ever"], 7)
+
     def test_frames_in_three_dimensions(self):
         """A flow that comes back is measured half-way, where a coarse film is already off."""
         done = self.call("run", "enright", "--set", "h=0.0625", "--set", "period=0.5", "--json",

@@ -52,6 +52,43 @@ Setup rotation(const Parameters& p) {
     return setup;
 }
 
+// S. T. Zalesak's disc (1979) in three dimensions: a ball with a slot, which turns about an axis.
+// The slot's edges are rounded by the first complex, which has no feature lines.
+struct SlottedBall {
+    Point centre{0.5, 0.75, 0.5};
+    double radius = 0.15;
+    double half_width = 0.025;
+    double top = 0.1; // of the slot, above the centre
+
+    [[nodiscard]] double distance(const Point& p) const {
+        const Point r = p - centre;
+        const double slot = std::max(std::abs(r.x()) - half_width, r.y() - top);
+        return std::max(r.norm() - radius, -slot);
+    }
+    // The slot's sections at all x, by Simpson's rule.
+    [[nodiscard]] double volume() const {
+        constexpr int n = 64;
+        double slot = 0;
+        for (int i = 0; i <= n; ++i) {
+            const double x = half_width * i / n;
+            const double square = radius * radius - x * x;
+            const double section = square * (pi / 2 + std::asin(top / std::sqrt(square))) +
+                                   top * std::sqrt(square - top * top);
+            slot += section * (i == 0 || i == n ? 1 : i % 2 == 1 ? 4 : 2);
+        }
+        return ball_volume(radius) - 2 * slot * half_width / (3 * n);
+    }
+};
+
+Setup slotted(const Parameters& p) {
+    const SlottedBall shape;
+    Setup setup = rotation(p);
+    setup.shape = [shape](const Point& place) { return shape.distance(place); };
+    setup.last = setup.shape;
+    setup.volume_last = shape.volume();
+    return setup;
+}
+
 // D. Enright et al., "A hybrid particle level set method for improved interface capturing" (2002);
 // the field is that of R. J. LeVeque (1996).
 Setup enright(const Parameters& p) {
@@ -96,6 +133,7 @@ const std::vector<Scene>& catalogue() {
     static const std::vector<Scene> scenes{
         {"translation-3d", "a ball is carried along", "3D", defaults, translation},
         {"rotation-3d", "a ball turns about an axis", "3D", defaults, rotation},
+        {"slotted-sphere", "a ball with a slot turns about an axis", "3D", defaults, slotted},
         {"enright",
          "a ball becomes a film and comes back",
          "3D",
