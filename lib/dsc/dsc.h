@@ -29,6 +29,7 @@
 #include "dsc/quality/measures.h"
 
 #include "dsc/initial/initial_complex.h"
+#include "dsc/initial/label_image.h"
 
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interface_flow.h"

@@ -5,8 +5,11 @@
 #include "python/options.h"
 #include "replay/mesh_hash.h"
 
+#include <pybind11/stl/filesystem.h>
+
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -44,6 +47,15 @@ MadeMesh from_arrays(const Points& points, const WholeNumbers& triangles,
         make_complex<double>(points, corners, {phases.data(), corners.size()}));
 }
 
+InitialOptions initial_options(const py::dict& keywords) {
+    Choices choices;
+    apply(choices, keywords, Use::initial_complex);
+    return {.edge_length = choices.options.edge_length,
+            .sizes = choices.options.sizes,
+            .detail = choices.detail,
+            .border_tolerance = choices.border_tolerance};
+}
+
 // The first complex, of shapes: (outline, phase inside), or of curves: (points, left, right).
 template <class Piece, class... Phases>
 MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, Phases...>>& list,
@@ -52,16 +64,27 @@ MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, 
     for (const auto& one : list) {
         pieces.push_back(std::apply([](const auto&... parts) { return Piece{parts...}; }, one));
     }
-    Choices choices;
-    apply(choices, keywords, Use::initial_complex);
-    const InitialOptions options{.edge_length = choices.options.edge_length,
-                                 .sizes = choices.options.sizes,
-                                 .detail = choices.detail,
-                                 .border_tolerance = choices.border_tolerance};
+    const InitialOptions options = initial_options(keywords);
     InputReport report;
     const py::gil_scoped_release others_run; // sizes may be functions of Python
     const auto mesh = std::make_shared<Mesh>(initial_complex<double>(
         {domain.at(0), domain.at(1)}, std::span<const Piece>(pieces), options, &report));
+    mesh->input_report = report;
+    return mesh;
+}
+
+// The first complex of an image, whose first row is the uppermost.
+MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size_t least_pixels,
+                     const py::dict& keywords) {
+    const LabelImage image{static_cast<std::size_t>(labels.shape(0)),
+                           static_cast<std::size_t>(labels.shape(1)),
+                           {labels.data(), labels.data() + labels.size()},
+                           least_pixels};
+    InputReport report;
+    const InitialOptions options = initial_options(keywords);
+    const py::gil_scoped_release others_run;
+    const auto mesh = std::make_shared<Mesh>(
+        initial_complex<double>({domain.at(0), domain.at(1)}, image, options, &report));
     mesh->input_report = report;
     return mesh;
 }
@@ -152,6 +175,7 @@ void add_mesh(py::module_& module) {
     MeshClass type(module, "Mesh");
     type.def(py::init(&from_pieces<Shape, Phase, std::vector<Points>, std::string>))
         .def(py::init(&from_pieces<Curve, Phase, Phase>))
+        .def(py::init(&from_labels))
         .def(py::init(&from_arrays))
         .def(py::init(&from_bytes))
         .def(py::init<const Mesh&>())
@@ -179,12 +203,22 @@ void add_mesh(py::module_& module) {
             "What is wrong with the complex, '' if nothing is. Exact.")
         .def(
             "write_svg",
-            [](const Mesh& mesh, const std::string& path) { write_svg(mesh.complex(), path); },
+            [](const Mesh& mesh, const std::filesystem::path& path) {
+                write_svg(mesh.complex(), path.string());
+            },
             "path"_a, "Writes a picture.")
         .def(
             "write_vtu",
-            [](const Mesh& mesh, const std::string& path) { write_vtu(mesh.complex(), path); },
+            [](const Mesh& mesh, const std::filesystem::path& path) {
+                write_vtu(mesh.complex(), path.string());
+            },
             "path"_a, "Writes a file for ParaView.");
+    module.def("sentences",
+               [](std::size_t points, std::size_t thinned, double deviation, double area_changed,
+                  std::size_t dropped, double area_dropped, std::size_t clipped) {
+                   return sentences(
+                       {points, thinned, deviation, area_changed, dropped, area_dropped, clipped});
+               });
     module.attr("size_help") = option_help(Use::initial_complex);
     add_data(type);
     add_measures(module, type);

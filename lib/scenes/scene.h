@@ -3,7 +3,7 @@
 // any time.
 #pragma once
 
-#include "dsc/initial/initial_complex.h"
+#include "dsc/initial/label_image.h"
 #include "dsc/motion/interpolation.h"
 #include "flows/velocity.h"
 #include "fluid/options.h"
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -110,8 +111,9 @@ struct Setup {
     std::vector<Outline> outlines{};
     std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: each of phase 1
     std::vector<dsc::Curve> curves{}; ///< in place of outlines: where several phases meet
-    bool clamped = false;             ///< where curves end on the domain's sides, they stay
-    std::optional<Phase> measured{};  ///< the one whose shape is measured; none: all but 0
+    std::shared_ptr<const LabelImage> labels{}; ///< in place of both
+    bool clamped = false;            ///< where curves end on the domain's sides, they stay
+    std::optional<Phase> measured{}; ///< the one whose shape is measured; none: all but 0
     Flow flow{};
     std::vector<Phase>
         carried{}; ///< phases whose inside moves with the flow, not for the reference

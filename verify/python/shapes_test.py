@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Shapes as people have them: rings, geometries of other packages, coverages, heights, detail."""
+import pathlib
 import pickle
+import tempfile
 import unittest
 
 import dsc
@@ -82,6 +84,86 @@ class Shapes(unittest.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(report)), report)
         with self.assertRaisesRegex(dsc.InputError, r"shapes\[1\], edge 7: the edge is too short for the mesh"):
             dsc.initial_complex(DOMAIN, {1: doubled}, edge_length=H, detail="keep")
+
+    def test_reports_are_sentences(self):
+        report = dsc.initial_complex(DOMAIN, {1: [OUTER, box(.9, .9, 1e-3, 1e-3)]}, edge_length=H).input_report
+        self.assertRegex(str(report), "^1 shape was left out, smaller than the edge length, with an area of")
+        self.assertEqual(str(dsc.initial_complex(DOMAIN, {1: OUTER}, edge_length=H).input_report), "")
+
+
+class Labels(unittest.TestCase):
+    def test_pixels_of_grains(self):
+        labels = np.array([[1, 1, 1, 1], [2, 2, 2, 3], [2, 2, 2, 2]])
+        mesh = dsc.from_labels(labels, edge_length=.25)
+        self.assertEqual({k: round(v, 5) for k, v in mesh.areas.items()}, {1: 4, 2: 7, 3: 1})
+        self.assertEqual(mesh.points.max(axis=0).tolist(), [4, 3])
+        self.assertGreater(mesh.points[mesh.triangles][mesh.phases == 1].mean(axis=(0, 1))[1], 2)  # the first row
+        mesh = dsc.from_labels(labels.tolist(), DOMAIN, least_pixels=2, edge_length=.05)
+        self.assertEqual({k: round(v, 6) for k, v in mesh.areas.items()}, {1: .333333, 2: .666667})
+        self.assertEqual(mesh.input_report.dropped, 1)
+        self.assertFalse(mesh.validate())
+
+    def test_what_is_refused(self):
+        hidden = np.ma.masked_equal([[1, 2], [9, 9]], 9)
+        for labels, options, words in [(hidden, {}, "labels: masked entries: got 2 of 4"),
+                                       ([[1, -1]], {}, "labels: not an array of numbers"),
+                                       ([1, 2], {}, "labels: not an array of numbers"),
+                                       ([[1, 2]], {"least_pixels": -1}, "least_pixels: not a count"),
+                                       ([[1, 2]], {"detail": "fine"}, "detail"),
+                                       (np.zeros((0, 3), int), {}, "no pixels")]:
+            with self.assertRaisesRegex(dsc.InputError, words):
+                dsc.from_labels(labels, edge_length=.1, **options)
+
+
+class Meshio(unittest.TestCase):
+    """Meshes of meshio, and of what looks like them."""
+
+    def given(self, **changed):
+        parts = {"points": np.array([[0, 0, 2], [1, 0, 2], [1, 1, 2], [0, 1, 2], [5, 5, 2]], float),
+                 "cells": [("line", np.array([[0, 1]])), ("triangle", np.array([[0, 1, 2]])),
+                           ("triangle", np.array([[0, 3, 2]]))],
+                 "cell_data": {"gmsh:physical": [np.array([9]), np.array([3]), np.array([4.0])]}}
+        return type("Given", (), {**parts, **changed})
+
+    def test_triangles_and_phases(self):
+        mesh = dsc.from_meshio(self.given())
+        self.assertEqual(mesh.areas, {3: .5, 4: .5})
+        self.assertEqual(len(mesh.points), 4)
+        self.assertEqual(dsc.from_meshio(self.given(cell_data={})).areas, {1: 1})
+        data = {"phase": [[0], [1], [1]], "other": [[0], [2], [2]]}
+        self.assertEqual(dsc.from_meshio(self.given(cell_data=data), "other").areas, {2: 1})
+
+    def test_there_and_back(self):
+        mesh = dsc.initial_complex(DOMAIN, {2: disc()}, edge_length=H)
+        cells = [type("Block", (), {"type": "triangle", "data": mesh.triangles})]
+        again = dsc.from_meshio(self.given(points=mesh.points, cells=cells, cell_data={"phase": [mesh.phases]}))
+        self.assertEqual(again.mesh_hash, mesh.mesh_hash)
+
+    def test_what_is_refused(self):
+        quads = [("quad", np.array([[0, 1, 2, 3]]))]
+        hidden = {"phase": [[9], np.ma.masked_equal([3], 3), [4]]}
+        heights = self.given().points + np.eye(5, 3, -1)
+        masked = np.ma.masked_equal(self.given().points, 1)
+        for changed, words in [({"cells": quads}, r"cells\[0\]: cells that are no triangles: got 1 of type 'quad'"),
+                               ({"cells": []}, "no triangles"),
+                               ({"cell_data": hidden}, r"cell_data\['phase'\]: masked entries: got 1 of 2"),
+                               ({"points": heights}, "points at several heights"),
+                               ({"points": masked}, "points: masked entries: got 4 of 12")]:
+            with self.assertRaisesRegex(dsc.InputError, words):
+                dsc.from_meshio(self.given(**changed))
+        with self.assertRaisesRegex(dsc.InputError, "no such cell data: got 'x'; allowed: 'gmsh:physical'"):
+            dsc.from_meshio(self.given(), "x")
+
+
+class Paths(unittest.TestCase):
+    def test_are_taken_wherever_files_are_named(self):
+        mesh = dsc.initial_complex(DOMAIN, {1: OUTER}, edge_length=H)
+        with tempfile.TemporaryDirectory() as folder:
+            for write in (mesh.write_svg, mesh.write_vtu, lambda path: dsc.save(path, mesh)):
+                path = pathlib.Path(folder) / "file"
+                write(path)
+                self.assertGreater(path.stat().st_size, 100)
+            self.assertEqual(dsc.load(path).mesh_hash, mesh.mesh_hash)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The programs of the guide's page on Python print what it says, and draw what it shows."""
+"""The programs of the guide's pages print what they say, and draw what they show."""
 import contextlib
 import io
 import os
@@ -18,10 +18,11 @@ LARGEST = 0.05  # of the root of the mean squared difference of pictures: fonts 
 
 
 class Tour(unittest.TestCase):
-    def test_programs_do_what_the_page_says(self):
-        page = (GUIDE / "python.md").read_text(encoding="utf-8")
+    def test_programs_do_what_the_pages_say(self):
         here = os.getcwd()
-        for name in ("swirl", "grains", "conduction"):
+        for name, page in [("swirl", "python.md"), ("grains", "python.md"), ("conduction", "python.md"),
+                           ("shapes", "shapes.md")]:
+            page = (GUIDE / page).read_text(encoding="utf-8")
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 printed = io.StringIO()
                 os.chdir(folder)

@@ -61,6 +61,17 @@ def whole_numbers(value, where, shape, dimensions):
     return array
 
 
+def count(value, where):
+    """A whole number from 0. Raises InputError."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = -1
+    if number < 0:
+        refuse("not a count", where, shown(value), "whole numbers from 0")
+    return number
+
+
 def phase(value, where):
     """The number of a phase. Raises InputError."""
     try:

@@ -2,6 +2,7 @@
 """A mesh in the forms of other packages, which are imported where they are asked for."""
 import numpy as np
 
+from . import arrays
 from .measures import area
 
 
@@ -61,6 +62,48 @@ def to_meshio(mesh):
     cells = {"phase": mesh.phases, **mesh.triangle_data}
     return meshio.Mesh(mesh.points, [("triangle", mesh.triangles)], point_data=dict(mesh.vertex_data),
                        cell_data={name: [values] for name, values in cells.items()})
+
+
+def from_meshio(mesh, phases=None):
+    """The `Mesh` of the triangles of a `meshio.Mesh`, or of what has its `points`, `cells` and `cell_data`.
+
+    Parameters
+    ----------
+    mesh : meshio.Mesh
+        Other cells than triangles are left out if they have no area, and refused otherwise. Points
+        may have a third coordinate, if it is the same for all of them.
+    phases : str, optional
+        The cell data with the phases. Without it, the first of `phase`, `gmsh:physical`, `medit:ref` and
+        `gmsh:geometrical` that there is; if there is none, all triangles are of phase 1.
+    """
+    from .mesh import Mesh
+
+    data = dict(mesh.cell_data)
+    if phases is None:
+        phases = next((name for name in ("phase", "gmsh:physical", "medit:ref", "gmsh:geometrical") if name in data),
+                      None)
+    elif phases not in data:
+        arrays.refuse("no such cell data", "from_meshio", repr(phases), ", ".join(map(repr, data)) or "none")
+    triangles, numbers = [], []
+    for k, block in enumerate(mesh.cells):
+        kind, cells = (block.type, block.data) if hasattr(block, "type") else block
+        if kind == "triangle":
+            triangles.append(np.asarray(cells).reshape(-1, 3))
+            numbers.append(np.ones(len(cells), int) if phases is None else data[phases][k])
+        elif kind != "vertex" and not kind.startswith("line"):
+            arrays.refuse("cells that are no triangles", f"cells[{k}]", f"{len(cells)} of type {kind!r}",
+                          "triangles; what has no area is left out")
+    if not triangles:
+        arrays.refuse("no triangles", "from_meshio", f"{len(mesh.cells)} blocks of other cells", "at least one triangle")
+    if any(np.ma.is_masked(one) for one in numbers):
+        hidden = sum(np.ma.count_masked(one) for one in numbers)
+        arrays.refuse("masked entries", f"cell_data[{phases!r}]", f"{hidden} of {sum(map(len, numbers))}", "none")
+    used, rows = np.unique(np.vstack(triangles), return_inverse=True)
+    numbers = np.concatenate(numbers)
+    if numbers.dtype.kind == "f" and (numbers == np.round(numbers)).all():
+        numbers = numbers.astype(np.int64)
+    points = arrays.flat_points(np.ma.asarray(mesh.points)[used], "points")
+    return Mesh(points, rows.reshape(-1, 3), numbers)
 
 
 def to_triangulation(mesh):

@@ -28,7 +28,7 @@ class Mesh(_dsc.Mesh):
             arrays.refuse("arrays that do not fit", "Mesh",
                           f"triangles of the shape {triangles.shape} and {len(phases)} phases",
                           "triangles (m, 3) and phases (m,)")
-        super().__init__(arrays.points(points, "points"), triangles, phases)
+        super().__init__(arrays.flat_points(points, "points"), triangles, phases)
 
     @classmethod
     def _made_of(cls, *parts):
@@ -127,6 +127,37 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
     if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
     return Mesh._made_of(corners, pieces, options)
+
+
+def from_labels(array, domain=None, least_pixels=0, **options):
+    labels = arrays.whole_numbers(array, "labels", "(rows, columns)", 2)
+    rows, columns = labels.shape
+    corners = arrays.points(((0, 0), (columns, rows)) if domain is None else domain, "domain", 2)
+    return Mesh._made_of(corners, labels, arrays.count(least_pixels, "least_pixels"), options)
+
+
+from_labels.__doc__ = f"""The mesh of an image whose pixels are numbers of phases.
+
+Boundaries between pixels of different phases become smooth curves that meet at junctions. They lie
+within half a pixel of the sides of the pixels, and each grain keeps the area of its pixels.
+
+Parameters
+----------
+array : (rows, columns) array_like of int
+    The first row is the uppermost, as pictures are shown; `array[::-1]` where it is the lowest.
+domain : array_like (2, 2), optional
+    The lower left corner of the rectangle over which the image is spread, and the upper right one.
+    Without it, pixels are squares of side 1.
+least_pixels : int
+    Grains of fewer pixels go to the neighbour with which they share the longest border, as do those
+    that are smaller than 0.2 edge lengths. `mesh.input_report` counts them as dropped.
+**options
+    The following ones.
+{_dsc.size_help}
+Returns
+-------
+Mesh
+"""
 
 
 initial_complex.__doc__ = f"""The mesh that a simulation starts from.

@@ -5,6 +5,8 @@ The types of their fields are in the stub: an import of `typing` would take as l
 """
 from collections import namedtuple
 
+from . import _dsc
+
 
 class Curve(namedtuple("Curve", "points is_closed left right")):
     """A piece of the interface between two phases.
@@ -42,9 +44,14 @@ class InputReport(namedtuple("InputReport", "points thinned deviation area_chang
         Of these shapes.
     clipped : int
         Outlines and holes that were cut at the sides of the domain.
+
+    As a text, it has a sentence for each thing that was left out.
     """
 
     __slots__ = ()
+
+    def __str__(self):
+        return "\n".join(_dsc.sentences(*self))
 
 
 class Event(namedtuple("Event", "kind time place lost taken area")):

@@ -29,6 +29,7 @@ struct SceneParts {
     bool is_clamped = false;
     std::vector<ShapeSource> shapes{};
     std::vector<CurveSource> curves{};
+    std::shared_ptr<const LabelImage> labels{};
     FlowSource flow{};
     std::vector<Phase> carried{};
     std::optional<CurvatureMotion> curvature{};
@@ -40,8 +41,8 @@ struct SceneParts {
     bool is_measured = true; ///< against the exact shape
 
     [[nodiscard]] bool has_shape_and_motion_of_base() const {
-        return base && shapes.empty() && curves.empty() && !flow && !curvature && !growth &&
-               !fluid && carried.empty();
+        return base && shapes.empty() && curves.empty() && !labels && !flow && !curvature &&
+               !growth && !fluid && carried.empty();
     }
 };
 
@@ -95,11 +96,12 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
     setup.domain = parts.domain.value_or(setup.domain);
     setup.clamped = parts.domain ? parts.is_clamped : setup.clamped;
     check_size(parts, p.h, setup);
-    if (!parts.shapes.empty() || !parts.curves.empty()) {
+    if (!parts.shapes.empty() || !parts.curves.empty() || parts.labels) {
         setup.outlines.clear();
         setup.phases.clear();
         setup.curves.clear();
         setup.measured.reset();
+        setup.labels = parts.labels;
         add_shapes(parts.shapes, p.h, setup);
         add_curves(parts.curves, p.h, setup);
     }
@@ -123,8 +125,16 @@ void read_geometry(const TableReader& top, SceneParts& parts) {
         parts.domain = read_domain(top.table("domain"));
         parts.is_clamped = top.table("domain").flag_or(false, "clamped");
     }
-    for (const TableReader& shape : top.tables("shape")) {
-        parts.shapes.push_back(read_shape(shape));
+    const std::vector<TableReader> shapes = top.tables("shape");
+    for (const TableReader& shape : shapes) {
+        if (!shape.has("labels")) {
+            parts.shapes.push_back(read_shape(shape));
+        } else if (shapes.size() > 1 || top.has("curve") || top.has("exact")) {
+            shape.refuse("labels", "an image of phases beside something else",
+                         "one [shape], without [[curve]] and [exact]");
+        } else {
+            parts.labels = read_label_image(shape);
+        }
     }
     for (const TableReader& curve : top.tables("curve")) {
         parts.curves.push_back(read_curve(curve));
@@ -227,8 +237,10 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     read_geometry(top, parts);
     for (const char* kind : {"shape", "curve"}) {
         for (const TableReader& source : top.tables(kind)) {
-            if (source.has("file")) {
-                file.outlines.push_back((path.parent_path() / source.text("file")).string());
+            for (const char* key : {"file", "labels"}) {
+                if (source.has(key)) {
+                    file.outlines.push_back((path.parent_path() / source.text(key)).string());
+                }
             }
         }
     }

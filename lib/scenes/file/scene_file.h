@@ -10,6 +10,9 @@
 //                                 # curves on the sides stay where they are
 //     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h):
 //                                 # inside an odd number of its closed lines is the phase
+//     [shape]                     # labels = "FILE": an image of phases, spread over the domain
+//                                 # (label_file.h); least_pixels = N: smaller grains go to their
+//                                 # neighbours
 //     [[curve]]                   # left, right: the phases beside it, and a source; in place of
 //                                 # shapes, where several phases meet
 //     [flow]                      # flow_source.h

@@ -4,6 +4,8 @@
 #include "dsc/base/error.h"
 #include "flows/exact.h"
 #include "scenes/file/formula/formula_flow.h"
+#include "scenes/file/outlines/label_file.h"
+#include "scenes/file/text_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +91,16 @@ ShapeSource read_shape(const TableReader& reader) {
     reader.allow(with_source_keys({"phase", "hole_phase"}));
     return {read_outline_source(reader, true), reader.phase_or(1, "phase"),
             reader.phase_or(exterior_phase, "hole_phase"), reader.where()};
+}
+
+std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader) {
+    reader.allow({"labels", "least_pixels"});
+    const std::filesystem::path path = reader.file().parent_path() / reader.text("labels");
+    LabelImage image = read_labels(read_text_file(path), path.string());
+    if (reader.has("least_pixels")) {
+        image.least_pixels = static_cast<std::size_t>(reader.integer("least_pixels", 0, 1'000'000));
+    }
+    return std::make_shared<const LabelImage>(std::move(image));
 }
 
 CurveSource read_curve(const TableReader& reader) {

@@ -34,6 +34,8 @@ struct ExactSource {
 
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
+/// The [shape] that has `labels`; with the file that it names.
+[[nodiscard]] std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader);
 [[nodiscard]] CurveSource read_curve(const TableReader& reader);
 [[nodiscard]] CurvatureMotion read_curvature(const TableReader& reader);
 [[nodiscard]] Growth read_growth(const TableReader& reader);

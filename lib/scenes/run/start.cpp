@@ -46,9 +46,11 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters, In
     options.detail = parameters.detail;
     options.border_tolerance = parameters.border_tolerance;
     options.sizes = sizes_of(setup, parameters);
-    if (!setup.curves.empty()) {
-        auto complex = initial_complex<Real>(
-            setup.domain, std::span<const dsc::Curve>(setup.curves), options, report);
+    if (setup.labels || !setup.curves.empty()) {
+        const std::span<const dsc::Curve> curves(setup.curves);
+        auto complex = setup.labels
+                           ? initial_complex<Real>(setup.domain, *setup.labels, options, report)
+                           : initial_complex<Real>(setup.domain, curves, options, report);
         if (setup.clamped) {
             clamp_ends(complex);
         }

@@ -289,6 +289,65 @@ TEST_F(FilesBeside, AreRefusedWhereTheyCannotBeRead) {
     EXPECT_THROW((void)read_scene_file(folder_ / "c.toml"), FileError);
 }
 
+// The same image as a text, as .pgm and as .npy: one row of 1 above two of 2 and 3.
+TEST_F(FilesBeside, LabelImagesOfEveryKind) {
+    const auto npy = [](const std::string& descr, const std::string& fortran,
+                        const std::string& data) {
+        const std::string header =
+            "{'descr': '" + descr + "', 'fortran_order': " + fortran + ", 'shape': (3, 2), }\n";
+        return std::string("\x93NUMPY\x01\x00", 8) + static_cast<char>(header.size()) + '\0' +
+               header + data;
+    };
+    using namespace std::string_literals;
+    const std::string by_rows{1, 1, 2, 3, 2, 3};
+    write("text", "# a comment\n1 1\n\n2, 3\n2 3 # another\n");
+    write("plain.pgm", "P2\n# by hand\n2 3\n9\n1 1 2 3 2 3\n");
+    write("raw.pgm", "P5 2 3 255\n" + by_rows);
+    write("wide.pgm", "P5 2 3 256\n"s + "\0\1\0\1\0\2\0\3\0\2\0\3"s);
+    write("bytes.npy", npy("|u1", "False", by_rows));
+    write("columns.npy", npy("|i1", "True", {1, 2, 2, 1, 3, 3}));
+    write("little.npy", npy("<i2", "False", "\1\0\1\0\2\0\3\0\2\0\3\0"s));
+    for (const char* name :
+         {"text", "plain.pgm", "raw.pgm", "wide.pgm", "bytes.npy", "columns.npy", "little.npy"}) {
+        write("a.toml", options + "[domain]\nhigh = [2, 3]\n[shape]\nlabels = '" + name + "'\n");
+        const SceneFile file = read_scene_file(folder_ / "a.toml");
+        EXPECT_EQ(file.outlines, std::vector{(folder_ / name).string()});
+        const RunResult result = run_scene(file.scene, file.scene.defaults, {});
+        EXPECT_TRUE(result.holds());
+        ASSERT_EQ(result.phases.phases.size(), 3U) << name;
+        for (const PhaseFigures& phase : result.phases.phases) {
+            EXPECT_NEAR(phase.area, 2, 1e-5) << name;
+        }
+    }
+    // The grain of phase 3 has two pixels.
+    write("b.toml", options + "[domain]\nhigh = [2, 3]\n[shape]\nlabels = 'text'\n"
+                              "least_pixels = 3\n");
+    const SceneFile file = read_scene_file(folder_ / "b.toml");
+    EXPECT_GE(run_scene(file.scene, file.scene.defaults, {}).input.dropped, 1U);
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {"1 1\n2\n", "rows of several lengths"},
+        {"1 -1\n", "not a phase"},
+        {"1 1.5\n", "not a phase"},
+        {"", "an image without pixels"},
+        {"P2 2 3 9 1 1 2 3 2", "another size"},
+        {"P5 2 3 255\n123", "another size"},
+        {"P5 2", "not a phase"},
+        {npy("<f8", "False", by_rows), "not an array of whole numbers"},
+        {npy("|u1", "False", "123"), "another size"},
+        {npy("|i1", "False", {1, 1, 2, -3, 2, 3}), "not a phase"},
+        {"\x93NUMPY", "not an array of whole numbers"}};
+    for (const auto& [content, what] : bad) {
+        write("text", content);
+        try {
+            (void)read_scene_file(folder_ / "b.toml");
+            ADD_FAILURE() << "accepted: " << content;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_THROW((void)read(options + disc + "[[shape]]\nlabels = 'text'\n"), InputError);
+}
+
 TEST(SceneFile, IsWhatHasASlashOrEndsInToml) {
     EXPECT_TRUE(is_scene_file("a.toml"));
     EXPECT_TRUE(is_scene_file("folder/a"));

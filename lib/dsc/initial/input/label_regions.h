@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The grains of a label image: which pixels belong together, and where small ones go.
+#pragma once
+
+#include "dsc/initial/label_image.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc::initial {
+
+/// The grain of each pixel, in the order of the labels.
+struct Grains {
+    std::vector<std::uint32_t> of_pixel;
+    std::vector<std::size_t> pixels; ///< by grain
+};
+
+[[nodiscard]] Grains grains_of(const LabelImage& image);
+
+/// Gives grains to their neighbours that have fewer pixels than `LabelImage::least_pixels`, or are
+/// smaller than `least_size`, a length. O(n) for n pixels in each of a few rounds.
+void drop_small_grains(LabelImage& image, const Point<double>& pixel, double least_size,
+                       InputReport& report);
+
+} // namespace dsc::initial
