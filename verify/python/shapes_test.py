@@ -87,7 +87,7 @@ class Shapes(unittest.TestCase):
 
     def test_reports_are_sentences(self):
         report = dsc.initial_complex(DOMAIN, {1: [OUTER, box(.9, .9, 1e-3, 1e-3)]}, edge_length=H).input_report
-        self.assertRegex(str(report), "^1 shape was left out, smaller than the edge length, with an area of")
+        self.assertRegex(str(report), "^1 shape was left out as too small, with an area of")
         self.assertEqual(str(dsc.initial_complex(DOMAIN, {1: OUTER}, edge_length=H).input_report), "")
 
 

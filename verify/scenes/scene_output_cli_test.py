@@ -56,7 +56,7 @@ class Checkpoints(CommandLine):
             stream.write("[options]\nh = 0.1\ndt = 0.1\nsteps = 1\n[[shape]]\n"
                          "rectangle = { low = [0.5, 0.5], high = [0.52, 0.52] }\n")
         done = self.call("run", "small.toml", "--json", "r.json")
-        self.assertIn("\n  1 shape was left out, smaller than the edge length", done.stdout)
+        self.assertIn("\n  1 shape was left out as too small", done.stdout)
         with open(self.path("r.json"), encoding="utf-8") as stream:
             told = json.load(stream)["input"]
         self.assertEqual((told["points"], told["thinned"], told["dropped"], told["clipped"]), (4, 0, 1, 0))

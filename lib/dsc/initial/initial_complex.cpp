@@ -99,8 +99,7 @@ std::vector<std::string> sentences(const InputReport& report) {
     }
     if (report.dropped > 0) {
         all.push_back(counted(report.dropped, "shape", "shapes") +
-                      "left out, smaller than the edge length, with an area of " +
-                      to_text(report.area_dropped));
+                      "left out as too small, with an area of " + to_text(report.area_dropped));
     }
     if (report.clipped > 0) {
         all.push_back(counted(report.clipped, "outline", "outlines") +
