@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/gather.h"
 
 #include <span>
 #include <vector>
@@ -45,12 +46,12 @@ public:
 
 private:
     void look_at(Triangle t);
+    void look_at(Vertex v, Ring<Real>& ring); // at its star
 
     const Complex<Real>& complex_;
     bool is_known_ = false;              ///< all triangles but those of `touched_`
     std::vector<std::uint32_t> touched_; ///< vertices, with duplicates
-    std::vector<std::uint32_t> looked_;  ///< by triangle: in which look it was last looked at
-    std::vector<std::uint32_t> visited_; ///< by vertex: in which look its star was
+    std::vector<std::uint32_t> visited_; ///< by vertex: the last look at its star
     std::uint32_t looks_ = 0;
     std::vector<std::uint32_t> inverted_; ///< triangles
     double min_quality_ = 1;

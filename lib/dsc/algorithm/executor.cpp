@@ -324,15 +324,21 @@ void Executor<Real>::collect_edits() {
         return;
     }
     for (Work<Real>* work : works_) {
-        append(edits_, work->log.records);
-        work->log.records.clear();
+        if (edits_.empty()) {
+            edits_.swap(work->log.records);
+        } else {
+            append(edits_, work->log.records);
+            work->log.records.clear();
+        }
     }
 }
 
 template <class Real>
-std::vector<Edit> Executor<Real>::take_edits() {
+std::span<const Edit> Executor<Real>::take_edits() {
+    taken_.clear();
     collect_edits();
-    return std::exchange(edits_, {});
+    taken_.swap(edits_);
+    return taken_;
 }
 
 template <class Real>

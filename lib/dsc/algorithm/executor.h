@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dsc {
@@ -111,8 +112,9 @@ public:
     [[nodiscard]] std::size_t interface_size() const;
     /// Appends them, roughly in the order of the curve.
     void append_interface(std::vector<std::uint32_t>& list) const;
-    /// The records of edits since the last call, in an order in which they can be replayed.
-    [[nodiscard]] std::vector<Edit> take_edits();
+    /// The records of edits since the last call, in an order in which they can be replayed; valid
+    /// until the next call.
+    [[nodiscard]] std::span<const Edit> take_edits();
     /// The edits counted since the last call.
     [[nodiscard]] OperationCounts take_counts();
 
@@ -168,6 +170,7 @@ protected:
 
 private:
     std::vector<Edit> edits_; ///< in the order of the sections, and there of `works_`
+    std::vector<Edit> taken_; ///< those of the last `take_edits`; its room is used again
 };
 
 // --- the parts of a sub-step ---------------------------------------------------------------------

@@ -70,10 +70,9 @@ int winding_of_others(const Boundary& boundary, std::uint32_t edge) {
 
 template <class Real>
 std::string find_overlap(const Complex<Real>& complex, ValidationReport& report) {
-    const std::vector<std::uint32_t> component = label_parts(
-        complex, [](Corner) { return true; },
-        [&](std::uint32_t part, Triangle) { report.components = part + 1; });
-    const Boundary boundary = collect_boundary(complex, component);
+    const Parts parts = label_parts(complex, [](Corner) { return true; });
+    report.components = parts.count;
+    const Boundary boundary = collect_boundary(complex, parts.of);
     report.boundary_loops = boundary.loops.size();
     report.edges = (3 * report.triangles + boundary.edges.size()) / 2;
     report.euler_characteristic = static_cast<std::int64_t>(report.vertices + report.triangles) -

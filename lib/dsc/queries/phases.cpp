@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dsc {
 
@@ -24,11 +25,13 @@ std::vector<Phase> phases(const Complex<Real>& complex) {
 
 namespace {
 
+// In plain numbers: points as vectors would be stored and loaded again.
 template <class Real>
 double area_in_double(const Complex<Real>& complex, Triangle t) {
-    const auto [a, b, c] = complex.positions_of(t);
-    return area<double>(a.template cast<double>(), b.template cast<double>(),
-                        c.template cast<double>());
+    const auto& v = complex.triangles[t.id].v;
+    const auto x = [&](std::size_t i) { return static_cast<double>(complex.vertices[v[i]].x); };
+    const auto y = [&](std::size_t i) { return static_cast<double>(complex.vertices[v[i]].y); };
+    return ((x(1) - x(0)) * (y(2) - y(0)) - (y(1) - y(0)) * (x(2) - x(0))) / 2;
 }
 
 } // namespace
@@ -50,21 +53,37 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
 template <class Real>
 Components components(const Complex<Real>& complex) {
     Components result;
-    const auto across = [&](Corner c) { return complex.phase_at(complex.twin(c)); };
-    result.of = label_parts(
-        complex, [&](Corner c) { return across(c) == complex.phase_at(c); },
-        [&](std::uint32_t part, Triangle t) {
-            if (part == result.list.size()) {
-                result.list.push_back({.phase = complex.phase(t)});
-            }
-            Component& component = result.list[part];
-            ++component.triangles;
-            component.area += area_in_double(complex, t);
-            component.touches_border = component.touches_border || is_boundary(complex, t);
-        });
-    for_each_outline(complex, [&](std::span<const Corner> outline) {
-        ++result.list[result.of[triangle_of(outline.front())]].outlines;
+    std::vector<Corner> constrained;
+    std::vector<Phase> phase_of; // side by side, so that those of neighbours are in the cache
+    phase_of.reserve(complex.triangle_bound());
+    for (const TriangleRecord& triangle : complex.triangles) {
+        phase_of.push_back(triangle.phase);
+    }
+    Parts parts = label_parts(complex, [&](Corner c) {
+        const bool is_free = phase_of[triangle_of(c)] == phase_of[triangle_of(complex.twin(c))];
+        if (!is_free) {
+            constrained.push_back(c);
+        }
+        return is_free;
     });
+    result.list.resize(parts.count);
+    result.of = std::move(parts.of);
+    for (std::uint32_t t = 0; t < complex.triangle_bound(); ++t) {
+        if (const std::uint32_t part = result.of[t]; part != no_id) {
+            Component& component = result.list[part];
+            component.phase = phase_of[t];
+            ++component.triangles;
+            component.area += area_in_double(complex, Triangle{t});
+        }
+    }
+    const auto is_edge = [&](Corner c) { return is_constrained(complex, c); };
+    for_each_loop(
+        complex, HalfEdges(std::move(constrained)), is_edge, [&](std::span<const Corner> outline) {
+            Component& component = result.list[result.of[triangle_of(outline.front())]];
+            ++component.outlines;
+            component.touches_border |=
+                std::ranges::any_of(outline, [&](Corner c) { return is_border(complex.twin(c)); });
+        });
     return result;
 }
 

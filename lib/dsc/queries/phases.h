@@ -9,6 +9,7 @@
 #include "dsc/complex/ranges.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -86,42 +87,69 @@ struct Components {
 template <class Real>
 [[nodiscard]] Components components(const Complex<Real>& complex);
 
-/// Numbers the connected parts, in the order of the smallest triangle of each. Two triangles that
-/// share an edge are in one part if `joins(corner)` holds for the corner opposite to it. Calls
-/// `visit(part, triangle)` for each triangle, part by part. Returns the parts by id of the
-/// triangle; `no_id` where none lives. O(triangles).
-template <class Real, class Joins, class Visit>
-std::vector<std::uint32_t> label_parts(const Complex<Real>& complex, Joins joins, Visit visit) {
-    std::vector<std::uint32_t> part_of(complex.triangle_bound(), no_id);
-    std::vector<std::uint32_t> waiting;
-    std::uint32_t part = 0;
-    for (const Triangle first : triangles(complex)) {
-        if (part_of[first.id] != no_id) {
+/// The connected parts of a complex, numbered in the order of the smallest triangle of each.
+struct Parts {
+    std::uint32_t count = 0;
+    std::vector<std::uint32_t> of; ///< by id of the triangle; `no_id` where none lives
+};
+
+/// Two triangles that share an edge are in one part if `joins(corner)` holds for the corners
+/// opposite to it, both of them or neither; it is asked once for each, ascending. O(triangles): one
+/// sweep by id, in which a triangle takes the smallest number of its neighbours before it, and
+/// another one once it is known which of these numbers are the same part.
+template <class Real, class Joins>
+[[nodiscard]] Parts label_parts(const Complex<Real>& complex, Joins joins) {
+    Parts parts{.of = std::vector<std::uint32_t>(complex.triangle_bound(), no_id)};
+    std::vector<std::uint32_t> same_as; // by number: a smaller one of the same part, or itself
+    const auto smallest = [&](std::uint32_t number) {
+        while (same_as[number] != number) {
+            number = same_as[number] = same_as[same_as[number]];
+        }
+        return number;
+    };
+    for (std::uint32_t t = border_triangle + 1; t < complex.triangle_bound(); ++t) {
+        if (!complex.is_alive(Triangle{t})) {
             continue;
         }
-        part_of[first.id] = part;
-        waiting.push_back(first.id);
-        while (!waiting.empty()) {
-            const std::uint32_t t = waiting.back();
-            waiting.pop_back();
-            visit(part, Triangle{t});
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const Corner c = corner_of(t, i);
-                const std::uint32_t other = triangle_of(complex.twin(c));
-                if (other != border_triangle && part_of[other] == no_id && joins(c)) {
-                    part_of[other] = part;
-                    waiting.push_back(other);
-                }
+        std::array<std::uint32_t, 3> before{}; // no_id: comes later, or is not joined
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const Corner c = corner_of(t, i);
+            const std::uint32_t number = parts.of[triangle_of(complex.twin(c))];
+            before[i] = joins(c) ? number : no_id;
+        }
+        std::uint32_t number = std::min(before[0], std::min(before[1], before[2]));
+        if (number == no_id) {
+            number = static_cast<std::uint32_t>(same_as.size());
+            same_as.push_back(number);
+        }
+        bool is_one = true; // all numbers are: asked without a branch for each
+        for (std::uint32_t& other : before) {
+            other = other == no_id ? number : other;
+            is_one = is_one & (other == number);
+        }
+        if (!is_one) {
+            for (const std::uint32_t other : before) {
+                const auto [low, high] = std::minmax({smallest(other), smallest(number)});
+                same_as[high] = low;
             }
         }
-        ++part;
+        parts.of[t] = number;
     }
-    return part_of;
+    for (std::uint32_t& number : same_as) { // ascending: the smaller one is final already
+        number = &number - same_as.data() == number ? parts.count++ : same_as[number];
+    }
+    for (std::uint32_t& number : parts.of) {
+        number = number == no_id ? no_id : same_as[number];
+    }
+    return parts;
 }
 
 /// Half-edges, each named by the corner opposite to it, that a walk takes one after the other.
 class HalfEdges {
 public:
+    /// These, in ascending order.
+    explicit HalfEdges(std::vector<Corner> ascending)
+        : all_(std::move(ascending)), is_taken_(all_.size(), 0) {}
     /// Those for which `is_edge(corner)` holds. O(triangles).
     template <class Real, class IsEdge>
     HalfEdges(const Complex<Real>& complex, IsEdge is_edge) {
@@ -186,14 +214,6 @@ void for_each_loop(const Complex<Real>& complex, HalfEdges half_edges, IsEdge is
         }
         visit(std::span<const Corner>(loop));
     }
-}
-
-/// The loops around the components of all phases, the exterior included, counter-clockwise around
-/// each.
-template <class Real, class Visit>
-void for_each_outline(const Complex<Real>& complex, Visit visit) {
-    const auto is_edge = [&](Corner c) { return is_constrained(complex, c); };
-    for_each_loop(complex, HalfEdges(complex, is_edge), is_edge, visit);
 }
 
 /// A piece of the interface with the same two phases along its whole length.

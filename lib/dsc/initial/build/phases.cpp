@@ -29,9 +29,9 @@ public:
     Filling(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains)
         : complex_(complex), paths_(paths) {
         raise_walls(chains);
-        region_of_ = label_parts(
-            complex, [&](Corner c) { return !is_wall(c); },
-            [&](std::uint32_t region, Triangle) { regions_.resize(region + 1); });
+        Parts parts = label_parts(complex, [&](Corner c) { return !is_wall(c); });
+        regions_.resize(parts.count);
+        region_of_ = std::move(parts.of);
     }
 
     void run() {
