@@ -42,7 +42,7 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
         {few_steps + "[limits]\ninverted = {}\n", {"s.toml:6", "inverted", "least, most"}},
         {few_steps + "[limits]\nmin_quality_last = { least = 1, most = 0 }\n", {"s.toml:6"}},
         {few_steps + "[limits]\nsd_rel_last = 1\n",
-         {"s.toml:6", "[limits] sd_rel_last", "without its measure", "exact shape"}},
+         {"s.toml:6", "[limits] sd_rel_last", "does not measure the figure", "exact shape"}},
         {few_steps + carried + "[limits]\nsd_rel_half = 1\n", {"s.toml:13", "half-way"}},
         {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
          {"s.toml:8", "sd_half", "half-way"}},
