@@ -103,7 +103,7 @@ CASES = {
     "mesh pickled in its step": (by_the_mesh_that_moves(pickle.dumps), RuntimeError, "a step of this"),
     "mesh simulated in its step": (by_the_mesh_that_moves(lambda mesh: dsc.Simulation(mesh, edge_length=H)),
                                    RuntimeError, "a step of this"),
-    "two simulations of one mesh": (second_simulation, INPUT, "another simulation"),
+    "two simulations of one mesh": (second_simulation, INPUT, "another Simulation"),
     "two threads step one mesh": (two_threads_step_one_mesh, RuntimeError, "a step of this"),
     "option that does not exist": (stepped(swirl, edges=H), INPUT, "unknown option: got 'edges'; allowed: edge_l"),
     "option of another type": (stepped(swirl, deviation="small"), INPUT, "deviation: bad value: got 'small'"),

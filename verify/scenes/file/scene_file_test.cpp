@@ -108,7 +108,7 @@ TEST(SceneFile, TellsWhatIsTooFineForTheMesh) {
     const std::vector<std::string> told = sentences(result.input);
     ASSERT_EQ(told.size(), 3U);
     EXPECT_TRUE(told[0].starts_with("1 point was left out of 13, ")) << told[0];
-    EXPECT_TRUE(told[1].starts_with("1 shape was left out, ")) << told[1];
+    EXPECT_TRUE(told[1].starts_with("1 shape was left out as too small, ")) << told[1];
     EXPECT_TRUE(told[2].starts_with("1 outline was cut off ")) << told[2];
     EXPECT_THROW((void)run_text(options + "detail = 'keep'\n" + shapes), InputError);
     // Side by side, or with a gap between them.
