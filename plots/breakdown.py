@@ -14,7 +14,7 @@ from look import script, style  # first: it says which Python has no matplotlib
 from results import load, series
 
 # counter, name, colour; the first five run in parallel, the others serially.
-PARTS = [("us_upkeep", "interface upkeep", style.SKY),
+PARTS = [("us_remeshing", "interface remeshing", style.SKY),
          ("us_velocities", "velocities", style.DARK_YELLOW),
          ("us_movement", "movement", style.GREEN),
          ("us_mesh_update", "mesh update", style.BLUE),

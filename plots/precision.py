@@ -39,14 +39,14 @@ FLOOR_MARKERS = {"markers, linear": "1", "markers, cubic": "2",
 PEER_MARKERS = {"official 2D DSC": "*", "Basilisk": "p", "isoAdvector": "<", "Gerris": "d",
                 "level set 512²": ">"}
 PANELS = {"other": "Against others", "time": "Steps in time",
-          "upkeep": "Insertion and coarsening\nof the interface"}
+          "remeshing": "Insertion and coarsening\nof the interface"}
 MOMENTS = {"last": "At the end", "half": "Half-way, where the shape is most stretched"}
 
 
 def shown(lines, panel):
     """The methods of a panel: the default is in each, bare markers where they are the limit."""
     floors = {"other": set(FLOOR_MARKERS), "time": set(),
-              "upkeep": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
+              "remeshing": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
     return {m: line for m, line in lines.items()
             if m == data.DEFAULT or line[0].group == panel or m in floors}
 

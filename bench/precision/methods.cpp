@@ -9,7 +9,7 @@ std::string to_string(Group group) {
     switch (group) {
     case Group::base: return "default";
     case Group::time: return "time";
-    case Group::upkeep: return "upkeep";
+    case Group::remeshing: return "remeshing";
     case Group::other: return "other";
     case Group::markers: return "markers";
     }
@@ -42,13 +42,14 @@ Method of_time(scenes::IntegratorChoice integrator, const std::string& name) {
 }
 
 Method of_insertion(Insertion, const std::string& name) {
-    return {.name = name + " insertion", .group = Group::upkeep, .settings = {{"insertion", name}}};
+    return {
+        .name = name + " insertion", .group = Group::remeshing, .settings = {{"insertion", name}}};
 }
 
 Method of_coarsening(Coarsening coarsening, const std::string& name) {
     const bool never = coarsening == Coarsening::never;
     return {.name = never ? "never coarsened" : "coarsening by " + name,
-            .group = Group::upkeep,
+            .group = Group::remeshing,
             .settings = {{"coarsening", name}},
             .to_the_last = never};
 }

@@ -28,11 +28,11 @@ struct BareMarkers {
 };
 
 enum class Group : unsigned char {
-    base,    ///< the default, which the others change
-    time,    ///< the integrator
-    upkeep,  ///< insertion and coarsening of the interface
-    other,   ///< how it is read, precision, and other methods
-    markers, ///< bare markers: the least that is possible
+    base,      ///< the default, which the others change
+    time,      ///< the integrator
+    remeshing, ///< insertion and coarsening of the interface
+    other,     ///< how it is read, precision, and other methods
+    markers,   ///< bare markers: the least that is possible
 };
 
 struct Method {

@@ -27,10 +27,10 @@ void add(ModelAccount& account, const SubStepProfile& one) {
     account.set_up += one.set_up;
     account.hand_over += one.hand_over;
     account.clean_up += one.clean_up;
-    account.wall += one.aim_wall + one.move_wall;
-    account.aim += sum(one.aim);
-    account.tasks += sum(one.aim) + sum(one.move);
-    for (std::size_t i = one.aim.size(); i < one.move.size(); ++i) {
+    account.wall += one.targets_wall + one.move_wall;
+    account.targets += sum(one.targets);
+    account.tasks += sum(one.targets) + sum(one.move);
+    for (std::size_t i = one.targets.size(); i < one.move.size(); ++i) {
         account.later += one.move[i];
     }
 }
@@ -113,10 +113,10 @@ void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
     for (const SubStepProfile& profile : submeshes.profile) {
         ModelSubStep& sub_step = step.emplace_back();
         sub_step.serial = profile.set_up + profile.hand_over + profile.clean_up;
-        sub_step.aim.tasks.add_colour(profile.aim.size());
-        sub_step.aim.seconds = profile.aim;
+        sub_step.targets.tasks.add_colour(profile.targets.size());
+        sub_step.targets.seconds = profile.targets;
         sub_step.move.seconds = profile.move;
-        sub_step.aim.wall = profile.aim_wall;
+        sub_step.targets.wall = profile.targets_wall;
         sub_step.move.wall = profile.move_wall;
         std::size_t first = 0;
         for (const Colour& colour : submeshes.partition.colours) {
@@ -128,7 +128,7 @@ void add_step(ModelRun& run, const SubmeshView& submeshes, double wall) {
             }
             first += colour.regions.size();
         }
-        inside += sub_step.serial + profile.aim_wall + profile.move_wall;
+        inside += sub_step.serial + profile.targets_wall + profile.move_wall;
         add(run.account, profile);
     }
     run.serial_outside.push_back(std::max(0.0, wall - inside));
@@ -142,9 +142,9 @@ ModelTimes model(const ModelRun& run, std::uint32_t workers, double start_s) {
     for (const auto& step : run.steps) {
         for (const ModelSubStep& sub_step : step) {
             times.serial += sub_step.serial;
-            times.tasks += sum(sub_step.aim.seconds) + sum(sub_step.move.seconds);
+            times.tasks += sum(sub_step.targets.seconds) + sum(sub_step.move.seconds);
             times.starts += 2 * start;
-            parallel += makespan(sub_step.aim, workers, Assignment::queue) +
+            parallel += makespan(sub_step.targets, workers, Assignment::queue) +
                         makespan(sub_step.move, workers, Assignment::queue) + 2 * start;
         }
     }
@@ -164,7 +164,7 @@ double measured_start(const ModelRun& run, std::uint32_t workers) {
     std::vector<double> rest;
     for (const auto& step : run.steps) {
         for (const ModelSubStep& sub_step : step) {
-            for (const Section* section : {&sub_step.aim, &sub_step.move}) {
+            for (const Section* section : {&sub_step.targets, &sub_step.move}) {
                 rest.push_back(section->wall - makespan(*section, workers, Assignment::queue));
             }
         }

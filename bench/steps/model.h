@@ -33,7 +33,7 @@ struct Section {
 /// One sub-step, with its measured times.
 struct ModelSubStep {
     double serial = 0; ///< seconds
-    Section aim;
+    Section targets;
     Section move;
 };
 
@@ -44,10 +44,10 @@ struct ModelAccount {
     double clean_up = 0;  ///< serial: what all colours left
     double wall = 0;      ///< of the parallel sections
     double tasks = 0;     ///< all of them
-    double aim = 0;       ///< of these: upkeep, velocities and targets
+    double targets = 0;   ///< of these: remeshing, velocities and targets
     double later = 0;     ///< of these: the colours after the first
     // Passes in the submeshes of the first colour.
-    double upkeep = 0;
+    double remeshing = 0;
     double movement = 0;
     double mesh_update = 0;
 };

@@ -135,8 +135,8 @@ void measure_model(benchmark::State& state, const Row& row) {
         counters["us_set_up"] = per_step(total.set_up);
         counters["us_hand_over"] = per_step(total.hand_over);
         counters["us_clean_up"] = per_step(total.clean_up);
-        counters["us_upkeep"] = per_step(total.upkeep);
-        counters["us_velocities"] = per_step(total.aim - total.upkeep);
+        counters["us_remeshing"] = per_step(total.remeshing);
+        counters["us_velocities"] = per_step(total.targets - total.remeshing);
         counters["us_movement"] = per_step(total.movement);
         counters["us_mesh_update"] = per_step(total.mesh_update);
         counters["us_later_colours"] = per_step(total.later);

@@ -59,7 +59,7 @@ double exact_area(const Start& start, int step) {
 
 /// Seconds in the passes of a submesh, to which several threads add.
 struct PassTimes {
-    std::atomic<double> upkeep = 0;
+    std::atomic<double> remeshing = 0;
     std::atomic<double> movement = 0;
     std::atomic<double> mesh_update = 0;
 };
@@ -80,7 +80,7 @@ void time_pass(Pass<double>& pass, std::atomic<double>& seconds) {
 // `times` must outlive its runs.
 Algorithm<double> timed_algorithm(PassTimes& times) {
     Algorithm<double> algorithm = default_algorithm<double>();
-    time_pass(algorithm.upkeep.at(0), times.upkeep);
+    time_pass(algorithm.remeshing.at(0), times.remeshing);
     time_pass(algorithm.motion.at(0), times.movement);
     time_pass(algorithm.motion.at(1), times.mesh_update);
     return algorithm;
@@ -163,7 +163,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     wake(submeshing.threads);
     for (int i = 0; i < warm_up_steps + timed_steps; ++i, ++step) {
         if (i == warm_up_steps) {
-            times.upkeep = times.movement = times.mesh_update = 0;
+            times.remeshing = times.movement = times.mesh_update = 0;
         }
         const auto begin = std::chrono::steady_clock::now();
         (void)advance(*made.simulation, start.setup, step);
@@ -172,7 +172,7 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
             add_step(run, *submeshes_in(made.executor), wall.count());
         }
     }
-    run.account.upkeep = times.upkeep;
+    run.account.remeshing = times.remeshing;
     run.account.movement = times.movement;
     run.account.mesh_update = times.mesh_update;
     return run;

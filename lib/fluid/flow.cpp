@@ -65,13 +65,13 @@ void fill_voids(std::vector<FluidPhase>& phases) {
 
 // The largest distance by which an end of an edge was moved wrongly in a step, in lengths of the
 // edge.
-double error_of_motion(const FluidField& field, const FluidPast& mover, double dt) {
+double error_of_motion(const FluidField& field, const FluidPast& moving_vertex, double dt) {
     double largest = 0;
-    for (const FrozenEdge& edge : field.mesh.interface) {
+    for (const SnapshotEdge& edge : field.mesh.interface) {
         const double length = (field.mesh.nodes[edge.to] - field.mesh.nodes[edge.from]).norm();
         for (const std::uint32_t end : {edge.from, edge.to}) {
             const Point<double> assumed =
-                extrapolated_velocity(mover, field.mesh.nodes[end], field.time, end);
+                extrapolated_velocity(moving_vertex, field.mesh.nodes[end], field.time, end);
             largest = std::max(largest, dt * (field.velocity[end] - assumed).norm() / length);
         }
     }
@@ -107,7 +107,7 @@ void add(FluidStep& all, const FluidStep& one) {
 // Walls are found by their coordinates, and vertices slide along a wall only if it is straight to
 // the bit. So each edge of the boundary has to lie exactly on a side of the box around the
 // vertices.
-void check_boundary(const FrozenMesh& mesh) {
+void check_boundary(const MeshSnapshot& mesh) {
     const Rectangle& box = mesh.domain;
     const auto is_on_side = [&](const Point<double>& a, const Point<double>& b) {
         const auto is_on = [](double one, double other, double low, double high) {
@@ -116,7 +116,7 @@ void check_boundary(const FrozenMesh& mesh) {
         return is_on(a.x(), b.x(), box.low.x(), box.high.x()) ||
                is_on(a.y(), b.y(), box.low.y(), box.high.y());
     };
-    for (const FrozenTriangle& triangle : mesh.triangles) {
+    for (const SnapshotTriangle& triangle : mesh.triangles) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Point<double>& from = mesh.nodes[triangle.nodes[next_index(i)]];
             const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
@@ -132,17 +132,17 @@ void check_boundary(const FrozenMesh& mesh) {
     }
 }
 
-void check_complex(const FrozenMesh& mesh, const FluidOptions& options) {
+void check_complex(const MeshSnapshot& mesh, const FluidOptions& options) {
     if (mesh.triangles.empty()) {
         throw InputError({.what = "the complex is empty",
                           .where = "Fluid",
                           .value = "no triangles",
                           .allowed = "a triangulated rectangle"});
     }
-    for (const FrozenTriangle& triangle : mesh.triangles) {
+    for (const SnapshotTriangle& triangle : mesh.triangles) {
         (void)fluid_of(options, triangle.phase);
     }
-    for (const FrozenEdge& edge : mesh.interface) {
+    for (const SnapshotEdge& edge : mesh.interface) {
         (void)pair_of(options, edge.left, edge.right);
     }
     check_boundary(mesh);
@@ -156,7 +156,7 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     : complex_(complex), options_(std::move(options)), system_(std::make_unique<FluidSystem>()) {
     check_fluid(options_);
     fill_voids(options_.phases);
-    FrozenMesh mesh = freeze(complex_);
+    MeshSnapshot mesh = freeze(complex_);
     check_complex(mesh, options_);
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
@@ -184,20 +184,20 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     // At rest the velocity says nothing of where it goes: the first step moves by the one that the
     // old mesh gives for its end.
     std::unique_ptr<FluidField> guess;
-    FluidPast mover = past();
+    FluidPast moving_vertex = past();
     if (options_.equations == FluidEquations::navier_stokes && two_ == nullptr) {
         guess = solution_in(one_->mesh, time() + dt, report);
-        mover = {guess.get(), one_.get()};
+        moving_vertex = {guess.get(), one_.get()};
     }
     Timer timer;
-    report.moved =
-        simulation.step(motion_in(mover, areas_, has_even_edges(simulation.options())), time(), dt);
+    report.moved = simulation.step(
+        motion_in(moving_vertex, areas_, has_even_edges(simulation.options())), time(), dt);
     report.move_s = timer.lap();
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;
     } else {
         auto next = solution_in(freeze(complex_), time() + dt, report);
-        report.error = error_of_motion(*next, mover, next->time - time());
+        report.error = error_of_motion(*next, moving_vertex, next->time - time());
         two_ = std::exchange(one_, std::move(next));
     }
     return report;
@@ -249,7 +249,7 @@ void Fluid::transfer(Archive& archive) {
     }
 }
 
-std::unique_ptr<FluidField> Fluid::solution_in(FrozenMesh mesh, double time, FluidStep& report) {
+std::unique_ptr<FluidField> Fluid::solution_in(MeshSnapshot mesh, double time, FluidStep& report) {
     Timer timer;
     const Dissection dissection = dissect(mesh);
     const FluidNumbering numbers = number_unknowns(mesh, dissection, options_);

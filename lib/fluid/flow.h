@@ -87,7 +87,7 @@ public:
 private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
     void transfer(Archive& archive);
-    [[nodiscard]] std::unique_ptr<FluidField> solution_in(FrozenMesh mesh, double time,
+    [[nodiscard]] std::unique_ptr<FluidField> solution_in(MeshSnapshot mesh, double time,
                                                           FluidStep& report);
 
     const Complex<double>& complex_;

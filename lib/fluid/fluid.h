@@ -4,7 +4,7 @@
 
 #include "fluid/options.h"
 
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 
 #include "fluid/flow.h"
 #include "fluid/measures.h"

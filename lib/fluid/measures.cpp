@@ -101,7 +101,7 @@ double mean_pressure(const FluidField& field, Phase phase) {
 
 double largest_speed(const FluidField& field, const FluidOptions& options) {
     double largest = 0;
-    for (const FrozenTriangle& triangle : field.mesh.triangles) {
+    for (const SnapshotTriangle& triangle : field.mesh.triangles) {
         if (!fluid_of(options, triangle.phase).is_void) {
             for (const std::uint32_t node : triangle.nodes) {
                 largest = std::max(largest, field.velocity[node].norm());
@@ -113,9 +113,9 @@ double largest_speed(const FluidField& field, const FluidOptions& options) {
 
 FluidEnergy energy(const FluidField& field, const FluidOptions& options) {
     FluidEnergy energy;
-    const FrozenMesh& mesh = field.mesh;
+    const MeshSnapshot& mesh = field.mesh;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const FrozenTriangle& triangle = mesh.triangles[t];
+        const SnapshotTriangle& triangle = mesh.triangles[t];
         const FluidPhase& fluid = fluid_of(options, triangle.phase);
         if (fluid.is_void) {
             continue;
@@ -131,7 +131,7 @@ FluidEnergy energy(const FluidField& field, const FluidOptions& options) {
             3;
         energy.potential -= mass * options.gravity.dot(centre);
     }
-    for (const FrozenEdge& edge : mesh.interface) {
+    for (const SnapshotEdge& edge : mesh.interface) {
         energy.surface += pair_of(options, edge.left, edge.right).tension *
                           (mesh.nodes[edge.to] - mesh.nodes[edge.from]).norm();
     }

@@ -2,7 +2,7 @@
 // What is measured of a flow.
 #pragma once
 
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 #include "fluid/options.h"
 
 namespace dsc {

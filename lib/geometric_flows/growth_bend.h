@@ -11,8 +11,8 @@ namespace dsc {
 /// The curve at a vertex with two interface edges; the larger phase is on the left.
 template <class Real>
 struct GrowthBend {
-    std::uint32_t in = no_id;  ///< spoke to the previous vertex
-    std::uint32_t out = no_id; ///< spoke to the next one
+    std::uint32_t in = no_id;  ///< incident edge to the previous vertex
+    std::uint32_t out = no_id; ///< incident edge to the next one
     Point<Real> from = Point<Real>::Zero();
     Point<Real> at = Point<Real>::Zero();
     Point<Real> to = Point<Real>::Zero();
@@ -26,13 +26,13 @@ template <class Real>
 [[nodiscard]] GrowthBend<Real> bend_of(const Ring<Real>& ring, const GrowthOptions<Real>& options,
                                        Real time) {
     GrowthBend<Real> bend;
-    const Spokes spokes = interface_spokes(ring);
-    if (spokes.count != 2 || !ring.closed) {
+    const IncidentEdges incident = interface_edges_of(ring);
+    if (incident.count != 2 || !ring.closed) {
         return bend;
     }
-    const bool first_is_out = ring.phase_after(spokes.first) > ring.phase_before(spokes.first);
-    bend.out = first_is_out ? spokes.first : spokes.second;
-    bend.in = spokes.other(bend.out);
+    const bool first_is_out = ring.phase_after(incident.first) > ring.phase_before(incident.first);
+    bend.out = first_is_out ? incident.first : incident.second;
+    bend.in = incident.other(bend.out);
     bend.from = link_point(ring, bend.in);
     bend.at = {ring.x0, ring.y0};
     bend.to = link_point(ring, bend.out);
@@ -43,8 +43,8 @@ template <class Real>
     return bend;
 }
 
-/// Whether both edges are longer than that. Shorter ones may turn sharply for a while, until upkeep
-/// has removed them: such a turn is no corner.
+/// Whether both edges are longer than that. Shorter ones may turn sharply for a while, until
+/// remeshing has removed them: such a turn is no corner.
 template <class Real>
 [[nodiscard]] bool has_longer_edges(const GrowthBend<Real>& bend, Real length) {
     return (bend.from - bend.at).squaredNorm() > length * length &&

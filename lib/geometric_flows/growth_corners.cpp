@@ -72,7 +72,7 @@ private:
             return;
         }
         if (!ring.owned) {
-            work_.deferred.upkeep(v);
+            work_.deferred.remeshing(v);
             return;
         }
         if (touches && (is_run_over(ring, bend, bend.in, bend.out) ||
@@ -119,10 +119,10 @@ private:
 
     // Whether the vertex was in the way of a notch at the end of one of its edges, and has gone.
     // True as well where only another submesh can tell.
-    bool is_run_over(const Ring<Real>& ring, const GrowthBend<Real>& bend, std::uint32_t spoke,
-                     std::uint32_t other) {
-        const std::uint32_t u = ring.link[spoke];
-        const Point<Real> notch = link_point(ring, spoke);
+    bool is_run_over(const Ring<Real>& ring, const GrowthBend<Real>& bend,
+                     std::uint32_t incident_edge, std::uint32_t other) {
+        const std::uint32_t u = ring.link[incident_edge];
+        const Point<Real> notch = link_point(ring, incident_edge);
         const Point<Real> beyond = link_point(ring, other);
         const Real distance = (notch - bend.at).norm();
         if (!is_corner(u) || rays_[Vertex{u}].state != FanState::none ||
@@ -132,7 +132,7 @@ private:
         Ring<Real>& star = work_.other_ring;
         const bool gathered = gather(complex_, work_.submesh.region, u, star);
         if (!star.owned) {
-            work_.deferred.upkeep(ring.vertex);
+            work_.deferred.remeshing(ring.vertex);
             return true;
         }
         const GrowthBend<Real> there = gathered ? bend_of(star) : GrowthBend<Real>{};
@@ -145,33 +145,34 @@ private:
             !turns_less<Real>(beyond, bend.at, notch, Real(0))) {
             return false;
         }
-        return collapse_into(ring, spoke) || collapse_into(ring, other);
+        return collapse_into(ring, incident_edge) || collapse_into(ring, other);
     }
 
-    // The centre vanishes into the other end of a spoke, if that is legal.
-    bool collapse_into(const Ring<Real>& ring, std::uint32_t spoke) {
-        return edge_collapse(work_.submesh, prev(ring.corner[spoke]), rewire::Vanishing::next) ==
-               Verdict::legal;
+    // The centre vanishes into the other end of an incident edge, if that is legal.
+    bool collapse_into(const Ring<Real>& ring, std::uint32_t incident_edge) {
+        return edge_collapse(work_.submesh, prev(ring.corner[incident_edge]),
+                             rewire::Vanishing::next) == Verdict::legal;
     }
 
     // --- fans ---------------------------------------------------------------------------------
     // The normal at the corner of the sheet on one side. False if only another submesh sees it.
-    bool sheet_normal(const Ring<Real>& ring, const GrowthBend<Real>& bend, std::uint32_t spoke,
-                      Point<Real>& normal) {
+    bool sheet_normal(const Ring<Real>& ring, const GrowthBend<Real>& bend,
+                      std::uint32_t incident_edge, Point<Real>& normal) {
         Ring<Real>& star = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, ring.link[spoke], star);
+        const bool gathered =
+            gather(complex_, work_.submesh.region, ring.link[incident_edge], star);
         if (!star.owned) {
             return false;
         }
-        const Point<Real> before = link_point(ring, spoke);
+        const Point<Real> before = link_point(ring, incident_edge);
         Point<Real> first = before;
         if (const GrowthBend<Real> next = gathered ? bend_of(star) : GrowthBend<Real>{};
             next.known && !is_corner(star.vertex)) {
-            first = spoke == bend.in ? next.from : next.to;
+            first = incident_edge == bend.in ? next.from : next.to;
         }
         const Point<Real> tangent = end_tangent<Real>(first, before, bend.at);
-        normal = spoke == bend.in ? Point<Real>(tangent.y(), -tangent.x())
-                                  : Point<Real>(-tangent.y(), tangent.x());
+        normal = incident_edge == bend.in ? Point<Real>(tangent.y(), -tangent.x())
+                                          : Point<Real>(-tangent.y(), tangent.x());
         return true;
     }
 
@@ -181,7 +182,7 @@ private:
         Point<Real> last;
         if (!sheet_normal(ring, bend, bend.in, first) ||
             !sheet_normal(ring, bend, bend.out, last)) {
-            work_.deferred.upkeep(v);
+            work_.deferred.remeshing(v);
             return;
         }
         const Real angle = std::atan2(cross<Real>(first, last), first.dot(last));
@@ -195,7 +196,7 @@ private:
         const IdPool& pool = *work_.submesh.pool;
         if (!pool.may_grow &&
             (pool.vertices.size() < edges || pool.triangles.size() < 2 * std::size_t{edges})) {
-            work_.deferred.upkeep(v);
+            work_.deferred.remeshing(v);
             return;
         }
         // In the order of the curve.
@@ -365,7 +366,7 @@ Pass<Real> growth_corners(const GrowthOptions<Real>& options) {
 template <class Real>
 Algorithm<Real> growth_algorithm(Complex<Real>& complex, const GrowthOptions<Real>& options) {
     Algorithm<Real> algorithm = default_algorithm<Real>();
-    algorithm.upkeep.push_back(growth_corners(options));
+    algorithm.remeshing.push_back(growth_corners(options));
     for (const GrowthSpeed& pair : options.speeds) {
         for (const Phase phase : {pair.growing, pair.into}) {
             if (std::ranges::none_of(triangles(complex),

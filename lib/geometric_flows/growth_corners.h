@@ -8,8 +8,8 @@
 
 namespace dsc {
 
-/// A pass of upkeep, to run after that of the interface. At corners that open it puts a fan of
-/// vertices: beside the corner at first, on their rays as soon as there is room. What upkeep
+/// A pass of remeshing, to run after that of the interface. At corners that open it puts a fan of
+/// vertices: beside the corner at first, on their rays as soon as there is room. What remeshing
 /// inserts between two of them it puts on the arc. It marks notches as corners, and takes away
 /// what a notch is about to run over. Where the flow has turned round and a fan has shrunk to less
 /// than a sub-step, it makes it a notch again. O(interface vertices). Expects `add_fan_rays`.

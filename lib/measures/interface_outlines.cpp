@@ -15,7 +15,7 @@ template <class Real>
 bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,
                   Ring<Real>& ring) {
     return gather(complex, dsc::Region{}, at.id, ring) && ring.closed &&
-           interface_spokes(ring).count == 2 &&
+           interface_edges_of(ring).count == 2 &&
            is_smooth<Real>(complex, at.id, complex.position(before), complex.position(at),
                            complex.position(after));
 }

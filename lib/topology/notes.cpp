@@ -58,12 +58,12 @@ void begin_notes(Complex<Real>& complex) {
 
 namespace {
 
-// The star of one vertex, as the upkeep has left it.
+// The star of one vertex, as the remeshing has left it.
 template <class Real>
 std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>& notes,
                       const Notability<Real>& what, std::uint32_t round, const Ring<Real>& ring,
-                      const Spokes& spokes) {
-    if (spokes.count == 0) {
+                      const IncidentEdges& incident) {
+    if (incident.count == 0) {
         return 0;
     }
     // All of an owned star is listed here: nobody else writes to its notes. Of any other nothing is
@@ -74,12 +74,12 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
     // are looked at then.
     const bool is_thin = !may_face || has_thin_triangle(ring, what.contact * what.contact);
     const bool is_sharp =
-        spokes.count > 2 || (spokes.count == 2 && turns_sharply(Bend(ring, spokes)));
-    const bool ends_on_wall = !ring.closed && (spokes.first != 0 || spokes.second != ring.size);
+        incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(ring, incident)));
+    const bool ends_on_wall = !ring.closed && (incident.first != 0 || incident.second != ring.size);
     const bool is_notable =
-        is_sharp || (spokes.count == 2 && (turns_tightly(Bend(ring, spokes), what.curvature) ||
-                                           ends_on_wall || (ring.closed && is_beside_wall)));
-    const bool is_junction = is_sharp && (spokes.count != 2 || !ring.closed);
+        is_sharp || (incident.count == 2 && (turns_tightly(Bend(ring, incident), what.curvature) ||
+                                             ends_on_wall || (ring.closed && is_beside_wall)));
+    const bool is_junction = is_sharp && (incident.count != 2 || !ring.closed);
     return (is_thin ? noted_thin : 0U) | (is_thin && may_face ? noted_facing : 0U) |
            (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
@@ -99,9 +99,9 @@ Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t r
 } // namespace
 
 template <class Real>
-void note_star(const Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes,
+void note_star(const Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident,
                const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book) {
-    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, ring, spokes);
+    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, ring, incident);
     note_vertex(work.complex, ring.vertex, round, book).what |= seen | noted_star;
 }
 
@@ -114,7 +114,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
     VertexAttribute<Note>& notes = *book.notes;
     // All vertices come first: the stars of their neighbours are compared with these notes.
-    std::vector<std::uint32_t>& left = work.interface_next; // scratch of the upkeep
+    std::vector<std::uint32_t>& left = work.interface_next; // scratch of the remeshing
     left.clear();
     bool has_first = false;
     for (const std::uint32_t v : work.interface) {
@@ -133,7 +133,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     // Stars that were noted before such a vertex may face it.
     for (const std::uint32_t v : has_first ? work.interface : left) {
         if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.ring)) {
-            note_star(work, work.ring, interface_spokes(work.ring), what, round, book);
+            note_star(work, work.ring, interface_edges_of(work.ring), what, round, book);
         }
     }
 }
@@ -146,9 +146,9 @@ template bool has_notes(const Complex<double>&);
 template bool has_notes(const Complex<float>&);
 template void begin_notes(Complex<double>&);
 template void begin_notes(Complex<float>&);
-template void note_star(const Work<double>&, const Ring<double>&, const Spokes&,
+template void note_star(const Work<double>&, const Ring<double>&, const IncidentEdges&,
                         const Notability<double>&, std::uint32_t, const Notebook<double>&);
-template void note_star(const Work<float>&, const Ring<float>&, const Spokes&,
+template void note_star(const Work<float>&, const Ring<float>&, const IncidentEdges&,
                         const Notability<float>&, std::uint32_t, const Notebook<float>&);
 template void note_stars(Work<double>&, const Notability<double>&, std::uint32_t);
 template void note_stars(Work<float>&, const Notability<float>&, std::uint32_t);

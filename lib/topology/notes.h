@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the topology has to know of each interface vertex from before anything moved: where the
-// vertex was, and what its star was like. A pass at the end of the upkeep notes it in an attribute,
-// in all submeshes at the same time; the change of topology reads it after the sub-step.
+// vertex was, and what its star was like. A pass at the end of the remeshing notes it in an
+// attribute, in all submeshes at the same time; the change of topology reads it after the sub-step.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -16,10 +16,10 @@ namespace dsc {
 
 /// What is noted of a star. Bits.
 enum Notable : std::uint32_t {
-    noted_thin = 1U,     ///< `Suspect::is_thin`
-    noted_facing = 2U,   ///< `Suspect::is_facing`
-    noted_sharp = 4U,    ///< `Suspect::is_sharp`
-    noted_junction = 8U, ///< `Suspect::is_junction`
+    noted_thin = 1U,     ///< `Candidate::is_thin`
+    noted_facing = 2U,   ///< `Candidate::is_facing`
+    noted_sharp = 4U,    ///< `Candidate::is_sharp`
+    noted_junction = 8U, ///< `Candidate::is_junction`
     /// Two sheets of the interface met at the vertex in this sub-step or an earlier one: see
     /// films.h.
     noted_seam = 16U,
@@ -92,7 +92,7 @@ struct Notebook {
 
 /// Notes the star of one interface vertex, which has just been gathered. O(degree).
 template <class Real>
-void note_star(const Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes,
+void note_star(const Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident,
                const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book);
 
 /// Notes the interface vertices of a work: a pass without edits. Leaves out those whose star has
@@ -179,9 +179,9 @@ struct Bend {
     Bend(Real from_x, Real from_y, Real x, Real y, Real to_x, Real to_y)
         : in_x(x - from_x), in_y(y - from_y), out_x(to_x - x), out_y(to_y - y) {}
     /// At the centre of a ring.
-    Bend(const Ring<Real>& ring, const Spokes& spokes)
-        : Bend(ring.link_x(spokes.first), ring.link_y(spokes.first), ring.x0, ring.y0,
-               ring.link_x(spokes.second), ring.link_y(spokes.second)) {}
+    Bend(const Ring<Real>& ring, const IncidentEdges& incident)
+        : Bend(ring.link_x(incident.first), ring.link_y(incident.first), ring.x0, ring.y0,
+               ring.link_x(incident.second), ring.link_y(incident.second)) {}
 
     Real in_x;  ///< to the vertex
     Real in_y;  ///< as in_x

@@ -37,7 +37,7 @@ struct TopologyWork {
     double time; ///< of the events
     std::vector<Event>& events;
     /// Something is in the way of a vertex of the interface, or may be.
-    bool has_held_up = true;
+    bool has_blocked = true;
     const InShares& in_shares = one_by_one; ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex);
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
@@ -45,8 +45,8 @@ struct TopologyWork {
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
     double swept = 0; ///< by junctions that became one, until the next event tells of it
-    /// The suspects that something was in the way of before the change, ascending.
-    std::vector<std::uint32_t> held_up = {};
+    /// The candidates that something was in the way of before the change, ascending.
+    std::vector<std::uint32_t> blocked = {};
 };
 
 /// The half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -103,11 +103,11 @@ template <class Real>
 
 /// Whether something is in the way of the vertex, or was before the change, if it may move at all.
 template <class Real>
-[[nodiscard]] bool is_held_up(const TopologyWork<Real>& work, std::uint32_t v) {
+[[nodiscard]] bool is_blocked(const TopologyWork<Real>& work, std::uint32_t v) {
     const std::uint32_t flags = work.complex.is_alive(Vertex{v}) ? work.complex.vertices[v].flags
                                                                  : std::uint32_t{vertex_locked};
     return (flags & vertex_locked) == 0 &&
-           ((flags & vertex_contact) != 0 || std::ranges::binary_search(work.held_up, v));
+           ((flags & vertex_contact) != 0 || std::ranges::binary_search(work.blocked, v));
 }
 
 /// Whether two sheets of the interface met at the vertex.
@@ -116,7 +116,7 @@ template <class Real>
     return (work.notes[Vertex{v}].what & noted_seam) != 0;
 }
 
-/// Where a suspect was before the sub-step.
+/// Where a candidate was before the sub-step.
 template <class Real>
 [[nodiscard]] Point<Real> place_before(const TopologyWork<Real>& work, std::uint32_t v) {
     const NotedPlace<Real>& place = work.places[Vertex{v}];

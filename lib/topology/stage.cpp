@@ -53,13 +53,14 @@ void TopologyStage<Real>::settle() {
 
 template <class Real>
 std::optional<Pass<Real>> TopologyStage<Real>::pass() {
-    return Pass<Real>{"notes for the topology",
-                      [this](Work<Real>& work) { note_stars(work, notable_, round_); }, true,
-                      [this](Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes) {
-                          if (notable_.contact > 0) {
-                              note_star(work, ring, spokes, notable_, round_, {notes_, places_});
-                          }
-                      }};
+    return Pass<Real>{
+        "notes for the topology", [this](Work<Real>& work) { note_stars(work, notable_, round_); },
+        true,
+        [this](Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident) {
+            if (notable_.contact > 0) {
+                note_star(work, ring, incident, notable_, round_, {notes_, places_});
+            }
+        }};
 }
 
 template <class Real>
@@ -73,7 +74,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
         const Note note = (*notes_)[Vertex{v}];
         return note.round == round ? note.what & noted_of_star : 0U;
     };
-    const auto is_held_up = [&](std::uint32_t v) {
+    const auto is_blocked = [&](std::uint32_t v) {
         return (complex.vertices[v].flags & vertex_contact) != 0;
     };
     // Films that are wider than triangles show are looked for from everywhere.
@@ -84,31 +85,31 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     if (!is_notable) {
         return;
     }
-    suspects_.resize(between.interface.size());
-    std::array<bool, ranges_of_places> has_held_up{};
+    candidates_.resize(between.interface.size());
+    std::array<bool, ranges_of_places> has_blocked{};
     const auto look = [&](std::size_t range, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t v = between.interface[i];
             const std::uint32_t bits = what(v);
-            has_held_up[range] = has_held_up[range] || is_held_up(v);
+            has_blocked[range] = has_blocked[range] || is_blocked(v);
             // What is in the way of a vertex may have come to face it since.
-            suspects_[i] = {.vertex = bits != 0 ? v : no_id,
-                            .is_thin = (bits & noted_thin) != 0,
-                            .is_facing = (bits & noted_facing) != 0 || is_held_up(v),
-                            .is_sharp = (bits & noted_sharp) != 0,
-                            .is_junction = (bits & noted_junction) != 0};
+            candidates_[i] = {.vertex = bits != 0 ? v : no_id,
+                              .is_thin = (bits & noted_thin) != 0,
+                              .is_facing = (bits & noted_facing) != 0 || is_blocked(v),
+                              .is_sharp = (bits & noted_sharp) != 0,
+                              .is_junction = (bits & noted_junction) != 0};
         }
     };
-    look_in_ranges(between.in_shares, suspects_.size(), look);
-    std::erase_if(suspects_, [](const auto& suspect) { return suspect.vertex == no_id; });
+    look_in_ranges(between.in_shares, candidates_.size(), look);
+    std::erase_if(candidates_, [](const auto& candidate) { return candidate.vertex == no_id; });
     area_ += change_topology<Real>({.complex = between.complex,
                                     .options = options_,
                                     .edge_length = edge_length_,
                                     .time = static_cast<double>(between.time),
                                     .events = events_,
-                                    .has_held_up = std::ranges::count(has_held_up, true) > 0,
+                                    .has_blocked = std::ranges::count(has_blocked, true) > 0,
                                     .in_shares = between.in_shares},
-                                   suspects_);
+                                   candidates_);
 }
 
 template <class Real>

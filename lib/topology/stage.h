@@ -53,8 +53,8 @@ private:
     VertexAttribute<NotedPlace<Real>>* places_ = nullptr;
     Real edge_length_ = 0;
     Notability<Real> notable_;
-    std::uint32_t round_ = 2;       ///< of the next sub-step; a vertex without a note has 0
-    std::vector<Suspect> suspects_; ///< scratch of run
+    std::uint32_t round_ = 2;           ///< of the next sub-step; a vertex without a note has 0
+    std::vector<Candidate> candidates_; ///< scratch of run
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these
     AreaAccount area_;

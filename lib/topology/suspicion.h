@@ -14,7 +14,7 @@
 namespace dsc {
 
 /// A vertex of the interface, and whether the topology may have to change there.
-struct Suspect {
+struct Candidate {
     std::uint32_t vertex; ///< its id
     bool is_thin;         ///< a triangle of its star is, or may be
     bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
@@ -37,17 +37,17 @@ void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& lo
     (count < few ? one_by_one : in_shares)(ranges_of_places, std::cref(look_in));
 }
 
-/// Appends what there is at the suspects to `found`, in their order: `look(suspect, found)` appends
-/// what it finds at one, and only reads, as several threads look at the same time. No allocation
-/// where nothing is found.
+/// Appends what there is at the candidates to `found`, in their order: `look(candidate, found)`
+/// appends what it finds at one, and only reads, as several threads look at the same time. No
+/// allocation where nothing is found.
 template <class Found, class Look>
-void find_at(const InShares& in_shares, std::span<const Suspect> suspects,
+void find_at(const InShares& in_shares, std::span<const Candidate> candidates,
              std::vector<Found>& found, const Look& look) {
     std::array<std::vector<Found>, ranges_of_places> parts;
-    look_in_ranges(in_shares, suspects.size(),
+    look_in_ranges(in_shares, candidates.size(),
                    [&](std::size_t range, std::size_t begin, std::size_t end) {
-                       for (const Suspect& suspect : suspects.subspan(begin, end - begin)) {
-                           look(suspect, parts[range]);
+                       for (const Candidate& candidate : candidates.subspan(begin, end - begin)) {
+                           look(candidate, parts[range]);
                        }
                    });
     for (const auto& part : parts) {

@@ -13,7 +13,7 @@ DEFAULT = "default"
 # Flows in the order of the page, and methods in that of legends; others come after these, by name.
 FLOWS = ["single-vortex-8", "single-vortex-2", "swirl-260", "swirl-420", "zalesak",
          "vortex-square"]
-GROUPS = ["default", "time", "upkeep", "other", "markers"]
+GROUPS = ["default", "time", "remeshing", "other", "markers"]
 METHODS = ["euler", "centred", "midpoint", "adaptive", "linear insertion", "coarsening by length",
            "never coarsened", "fourth order", "fourth order, coarsened", "float",
            "thesis's choice", "literal reference",

@@ -40,7 +40,7 @@ RESULT = {"scene": "swirl", "strategy": "cells", "machine": "a machine", "commit
 BUBBLE = {"scene": "rising-bubble", "cpu_s": 3.0, "rise_velocity_max": 0.2417, "centre_last": 1.08,
           "circularity_last": 0.92, "machine": "a machine", "commit": "c0ffee"}
 PROFILE = {"us_set_up": 1, "us_hand_over": 0, "us_clean_up": 0, "us_driver": 1,
-           "us_upkeep": 10, "us_velocities": 5, "us_movement": 8, "us_mesh_update": 70,
+           "us_remeshing": 10, "us_velocities": 5, "us_movement": 8, "us_mesh_update": 70,
            "us_later_colours": 5}
 
 

@@ -6,7 +6,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/mesh/size_upkeep.h"
+#include "dsc/passes/mesh/size_update.h"
 #include "dsc/queries/phases.h"
 #include "replay/replay.h"
 #include "thesis/divisions/slabs.h"

@@ -39,15 +39,15 @@ TYPED_TEST(OwnPasses, RunsTheApplicationsPassesInsteadOfTheDefault) {
                               pass(work);
                           }};
     };
-    // Movement alone: no upkeep of the interface, and no mesh update.
+    // Movement alone: no remeshing of the interface, and no mesh update.
     const Algorithm<Real> algorithm{
-        .upkeep = {noting("upkeep", [](Work<Real>&) {})},
+        .remeshing = {noting("remeshing", [](Work<Real>&) {})},
         .motion = {noting("move", &move_vertices<Real>),
                    noting("forget", [](Work<Real>& work) { work.active.clear(); })}};
     Simulation<Real> simulation(complex, options,
                                 std::make_unique<Executor<Real>>(complex, options, algorithm));
     const StepReport report = simulation.step(constant<Real>(0.02, 0), 0, 1);
-    EXPECT_EQ(calls, (std::vector<std::string>{"upkeep", "move", "forget"}));
+    EXPECT_EQ(calls, (std::vector<std::string>{"remeshing", "move", "forget"}));
     EXPECT_EQ(report.operations.moves, simulation.interface().size());
     EXPECT_EQ(report.operations.flips, 0U);
     EXPECT_EQ(report.operations.smoothed, 0U);
@@ -65,7 +65,7 @@ TYPED_TEST(OwnPasses, RunsTheApplicationsPassesInsteadOfTheDefault) {
 
 TYPED_TEST(OwnPasses, TakesThresholdsForEachPhase) {
     using Real = TypeParam;
-    // Phase 1 is kept twice as fine as phase 0 by its longest spoke.
+    // Phase 1 is kept twice as fine as phase 0 by its longest incident edge.
     auto complex = disc_complex<Real>(coarse);
     auto options = options_for<Real>(coarse);
     options.per_phase.resize(2);

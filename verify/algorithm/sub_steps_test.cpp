@@ -88,7 +88,7 @@ TEST(SubSteps, AreShorterWhereTheFlowBecomesFasterWithinThem) {
         [](const Point<double>&, double time) { return Point<double>(16 * edge * time, 0); });
     const StepReport report = simulation.step(flow, 0, 1);
     EXPECT_EQ(report.unreached, 0U);
-    // The first sub-step is halved until it leads no farther than twice what is aimed at.
+    // The first sub-step is halved until it leads no farther than twice what is targets at.
     EXPECT_LE(farthest.value(), 2 * options.sub_step);
     EXPECT_GE(report.sub_steps, static_cast<std::uint32_t>(8 / (2 * options.sub_step)));
 }

@@ -37,7 +37,7 @@ struct Tolerance {
 };
 
 // All lengths below are in edge lengths, but for those of the scene.
-const InterfaceThresholds upkeep;
+const InterfaceThresholds remeshing;
 
 // Coordinates are rounded when a target is found and when it is reached: by half a unit in the last
 // place of the largest one, twice, in either direction. Curvature flow gives the ends of curves on
@@ -53,10 +53,11 @@ double rounding(const Row& row, const Scene& scene, std::size_t sub_steps) {
 }
 
 // An arc of curvature k and its chord c are k c^2 / 8 apart in the middle and k c^2 / 12 on the
-// average. Upkeep leaves no edge that is longer than `longest`, but for one by an end of a curve.
+// average. Remeshing leaves no edge that is longer than `longest`, but for one by an end of a
+// curve.
 Tolerance chords(const Row& row, const Scene& scene) {
-    double chord = upkeep.longest;
-    double longest = upkeep.longest + upkeep.shortest;
+    double chord = remeshing.longest;
+    double longest = remeshing.longest + remeshing.shortest;
     // If no edge is merged, it is as long as at the start, and longer as the curve is.
     const double drawn = scene.longest_at_start * scene.stretch;
     if (row.coarsening == Coarsening::never && drawn < 1) {
@@ -68,7 +69,7 @@ Tolerance chords(const Row& row, const Scene& scene) {
 
 // Where pieces meet, the film between them goes once it is thinner than the contact distance. If it
 // must not, sheets hold each other up as long as nothing between them is shorter than an edge that
-// upkeep collapses.
+// remeshing collapses.
 Tolerance meeting(const Row& row, const Scene& scene, double length) {
     if (scene.seam == 0) {
         return {};
@@ -87,7 +88,7 @@ Tolerance meeting(const Row& row, const Scene& scene, double length) {
     // At either end of the seam a wedge is left, which goes as well as far as a triangle across it
     // is no higher than the film. One of its edges may lie along a sheet or the wall, and be as
     // long as any there...
-    const double edge = scene.meets_wall ? PhaseThresholds{}.longest : upkeep.longest;
+    const double edge = scene.meets_wall ? PhaseThresholds{}.longest : remeshing.longest;
     area += thickness * std::max(edge, thickness); // half of it at either end
     // ...and from then on two phases, or a sheet and the wall, meet at its far end.
     const double sideways = are_two || scene.meets_wall ? edge * std::sin(scene.seam_angle) : 0;

@@ -52,7 +52,7 @@ Cap relative_cap(double degrees, double edge_length, bool in_void) {
     Cap cap{0, 0};
     double left = 2;
     double right = 0;
-    for (const FrozenEdge& edge : fluid.field().mesh.interface) {
+    for (const SnapshotEdge& edge : fluid.field().mesh.interface) {
         for (const std::uint32_t end : {edge.from, edge.to}) {
             const Point<double>& p = fluid.field().mesh.nodes[end];
             cap.height = std::max(cap.height, p.y());

@@ -46,7 +46,7 @@ struct Equations {
     }
 
     fluid_scenes::Tank tank;
-    FrozenMesh mesh;
+    MeshSnapshot mesh;
     Dissection dissection;
     FluidNumbering numbers;
     FluidSystem system;

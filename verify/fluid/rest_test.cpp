@@ -71,14 +71,14 @@ TEST(FluidRest, UnequalEdgesBecomeEqualAndTheDropComesToRest) {
 TEST(FluidRest, AVoidHasNoSpeed) {
     Tank tank = fluid_scenes::static_drop(0.08, 25);
     FluidField field = tank.fluid.field();
-    for (const FrozenTriangle& t : field.mesh.triangles) {
+    for (const SnapshotTriangle& t : field.mesh.triangles) {
         for (const std::uint32_t node : t.nodes) {
             field.velocity[node] = t.phase == 0 ? Point<double>(0, 3) : field.velocity[node];
         }
     }
     FluidOptions options = tank.fluid.options();
     EXPECT_EQ(largest_speed(field, options), 3);
-    for (const FrozenEdge& edge : field.mesh.interface) {
+    for (const SnapshotEdge& edge : field.mesh.interface) {
         field.velocity[edge.from] = field.velocity[edge.to] = {0, 0};
         field.velocity[edge.middle] = {2, 0};
     }

@@ -31,7 +31,7 @@ public:
                       : &complex.attributes.template add<Vertex>(name, Point<Real>(0, 0));
     }
 
-    // Notes where the vertices are when upkeep is over.
+    // Notes where the vertices are when remeshing is over.
     [[nodiscard]] std::optional<Pass<Real>> pass() override {
         const auto note = [this](Work<Real>& work) {
             for (const std::uint32_t v : work.interface) {

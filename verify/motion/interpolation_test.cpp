@@ -104,7 +104,8 @@ TYPED_TEST(Interpolation, IsTheMidpointBetweenTwoCorners) {
     }
 }
 
-// The upkeep itself: at a corner of the outline the neighbour beyond is not used; elsewhere it is.
+// The remeshing itself: at a corner of the outline the neighbour beyond is not used; elsewhere it
+// is.
 TEST(CubicInsertion, DoesNotLookAroundCorners) {
     const std::vector<Point<double>> square{{0.35, 0.35}, {0.65, 0.35}, {0.65, 0.65}, {0.35, 0.65}};
     const std::vector<Shape> shapes{{square, 1}};

@@ -43,7 +43,7 @@ TEST(StarCollapse, IsGuardedAsAnyCollapse) {
                 const bool is_plain = usual == Verdict::legal || usual == Verdict::inverts;
                 if (is_plain) {
                     EXPECT_EQ(star_collapse_guard(complex, ring, i), usual)
-                        << "seed " << seed << ", vertex " << v << ", spoke " << i;
+                        << "seed " << seed << ", vertex " << v << ", incident_edge " << i;
                     ++verdicts[usual];
                 }
             }

@@ -39,7 +39,7 @@ Profiled profiled_steps() {
         simulation.step(grow, 0, 0.2);
         bench::add_step(profiled.run, seen.view(), 1000);
         for (const SubStepProfile& times : seen.view().profile) {
-            for (const auto* tasks : {&times.aim, &times.move}) {
+            for (const auto* tasks : {&times.targets, &times.move}) {
                 profiled.tasks += static_cast<double>(tasks->size());
                 for (const double seconds : *tasks) {
                     profiled.seconds += seconds;
@@ -56,7 +56,7 @@ bench::ModelRun in_seconds(bench::ModelRun run) {
     for (auto& step : run.steps) {
         for (bench::ModelSubStep& sub_step : step) {
             sub_step.serial = 0;
-            sub_step.aim.seconds.assign(sub_step.aim.seconds.size(), 1);
+            sub_step.targets.seconds.assign(sub_step.targets.seconds.size(), 1);
             sub_step.move.seconds.assign(sub_step.move.seconds.size(), 1);
         }
     }

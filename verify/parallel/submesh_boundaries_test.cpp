@@ -36,12 +36,12 @@ TEST(SubmeshExecutor, LeavesNoLongEdgesOfTheInterfaceAtTheBoundaries) {
                 }
             }
         }
-        // Upkeep splits at 1.4, and then the disc grows a little.
+        // Remeshing splits at 1.4, and then the disc grows a little.
         EXPECT_LT(longest, 1.45) << way.name;
     }
 }
 
-// A vertex that was put off by one submesh, until another one looks at it.
+// A vertex that was deferred by one submesh, until another one looks at it.
 class Waiting {
 public:
     void add(DeferredKind kind, const Work<double>& by) {
@@ -78,27 +78,28 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
     for (const NamedPartitioner& way : ways_to_divide(4)) {
         SCOPED_TRACE(way.name);
         Waiting stars;
-        Waiting movers;
-        Waiting upkeep;
+        Waiting moving_vertices;
+        Waiting remeshing;
         auto algorithm = default_algorithm<double>();
-        auto& first = algorithm.upkeep;
-        first.insert(first.begin(),
-                     {"before", [&](Work<double>& work) { upkeep.look_at(work.interface, work); }});
+        auto& first = algorithm.remeshing;
+        first.insert(first.begin(), {"before", [&](Work<double>& work) {
+                                         remeshing.look_at(work.interface, work);
+                                     }});
         first.push_back(
-            {"after", [&](Work<double>& work) { upkeep.add(DeferredKind::upkeep, work); }});
+            {"after", [&](Work<double>& work) { remeshing.add(DeferredKind::remeshing, work); }});
         auto& motion = algorithm.motion;
         motion.insert(motion.begin(), {"first", [&](Work<double>& work) {
                                            std::vector<std::uint32_t> on_their_way;
-                                           for (const auto& mover : work.movers) {
-                                               on_their_way.push_back(mover.vertex);
+                                           for (const auto& moving_vertex : work.moving_vertices) {
+                                               on_their_way.push_back(moving_vertex.vertex);
                                            }
-                                           movers.look_at(on_their_way, work);
+                                           moving_vertices.look_at(on_their_way, work);
                                        }});
         motion.insert(motion.end() - 1,
                       {"before", [&](Work<double>& work) { stars.look_at(work.active, work); }});
         motion.push_back({"after", [&](Work<double>& work) {
                               stars.add(DeferredKind::star, work);
-                              movers.add(DeferredKind::mover, work);
+                              moving_vertices.add(DeferredKind::moving_vertex, work);
                           }});
         Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
         for (int step = 0; step < 12; ++step) {
@@ -106,12 +107,12 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
             ASSERT_EQ(report.sub_steps, 1U) << "the next one would hide what this one forgot";
             EXPECT_EQ(report.unreached, 0U);
             EXPECT_EQ(stars.take_forgotten(disc.complex), 0U) << "step " << step;
-            EXPECT_EQ(movers.take_forgotten(disc.complex), 0U) << "step " << step;
-            EXPECT_EQ(upkeep.take_forgotten(disc.complex), 0U) << "step " << step;
+            EXPECT_EQ(moving_vertices.take_forgotten(disc.complex), 0U) << "step " << step;
+            EXPECT_EQ(remeshing.take_forgotten(disc.complex), 0U) << "step " << step;
         }
         EXPECT_GT(stars.added(), 100U);
-        EXPECT_GT(movers.added(), 5U);
-        EXPECT_GT(upkeep.added(), 5U);
+        EXPECT_GT(moving_vertices.added(), 5U);
+        EXPECT_GT(remeshing.added(), 5U);
     }
 }
 
@@ -136,8 +137,9 @@ void thin_out(Work<double>& work) {
             continue;
         }
         for (std::uint32_t i = 0; i < work.ring.size; ++i) {
-            const Corner spoke = prev(work.ring.corner[i]);
-            if (edge_collapse(work.submesh, spoke, rewire::Vanishing::prev) == Verdict::legal) {
+            const Corner incident_edge = prev(work.ring.corner[i]);
+            if (edge_collapse(work.submesh, incident_edge, rewire::Vanishing::prev) ==
+                Verdict::legal) {
                 break;
             }
         }
@@ -152,7 +154,7 @@ TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
         for (const std::uint32_t threads : {1U, 2U, 3U}) {
             std::atomic<int> strangers = 0;
             auto algorithm = default_algorithm<double>();
-            algorithm.upkeep.push_back({"thinning out", &thin_out});
+            algorithm.remeshing.push_back({"thinning out", &thin_out});
             algorithm.motion.insert(algorithm.motion.begin(), counting_strangers(strangers));
             Growing disc(way.make(), threads, algorithm);
             std::uint64_t collapses = 0;
@@ -188,18 +190,18 @@ void relabel_twice(Work<double>& work) {
     }
 }
 
-// A vertex that has left a submesh is put off by that one, and may be listed where it is now.
+// A vertex that has left a submesh is deferred by that one, and may be listed where it is now.
 TEST(SubmeshExecutor, ListsAVertexOnceThatAPassOfItsNewSubmeshChanges) {
     for (const NamedPartitioner& way : ways_to_divide(1000)) {
         SCOPED_TRACE(way.name);
-        std::ptrdiff_t put_off = 0;
+        std::ptrdiff_t deferred = 0;
         auto algorithm = default_algorithm<double>();
-        algorithm.upkeep.push_back({"relabelling", &relabel_twice});
-        algorithm.upkeep.push_back({"counting", [&](Work<double>& work) {
-                                        put_off += std::ranges::count(work.deferred.entries,
-                                                                      DeferredKind::listing,
-                                                                      &Deferred<double>::kind);
-                                    }});
+        algorithm.remeshing.push_back({"relabelling", &relabel_twice});
+        algorithm.remeshing.push_back({"counting", [&](Work<double>& work) {
+                                           deferred += std::ranges::count(work.deferred.entries,
+                                                                          DeferredKind::listing,
+                                                                          &Deferred<double>::kind);
+                                       }});
         Growing disc(way.make(), 1, algorithm);
         int seen_twice = 0;
         const InterfaceFlow<double> turn = [&](const InterfaceView<double>& view, std::size_t begin,
@@ -214,7 +216,7 @@ TEST(SubmeshExecutor, ListsAVertexOnceThatAPassOfItsNewSubmeshChanges) {
         for (int step = 0; step < 60; ++step) {
             EXPECT_EQ(disc.simulation->step(turn, 0, 2 * Growing::h).unreached, 0U);
         }
-        EXPECT_GT(put_off, 5);
+        EXPECT_GT(deferred, 5);
         EXPECT_EQ(seen_twice, 0);
     }
 }

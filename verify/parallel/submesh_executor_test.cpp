@@ -50,15 +50,15 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
     constexpr std::size_t serial = 99;
     int serial_faults = 0;
     for (const NamedPartitioner& way : ways_to_divide(3)) {
-        for (const bool in_upkeep : {true, false}) {
+        for (const bool in_remeshing : {true, false}) {
             for (const bool before : {true, false}) {
                 for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {
-                    if (in_upkeep && colour == 1) {
+                    if (in_remeshing && colour == 1) {
                         continue; // what the first colour puts off is done serially
                     }
-                    SCOPED_TRACE(std::string(way.name) + (in_upkeep ? ", upkeep" : ", motion") +
-                                 (before ? ", first" : ", last") + ", colour " +
-                                 std::to_string(colour));
+                    SCOPED_TRACE(
+                        std::string(way.name) + (in_remeshing ? ", remeshing" : ", motion") +
+                        (before ? ", first" : ", last") + ", colour " + std::to_string(colour));
                     std::atomic<bool> is_armed{false};
                     std::atomic<bool> has_thrown{false};
                     const SubmeshExecutor<double>* seen = nullptr;
@@ -79,7 +79,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
                                                  }
                                              }};
                     auto algorithm = default_algorithm<double>();
-                    auto& passes = in_upkeep ? algorithm.upkeep : algorithm.motion;
+                    auto& passes = in_remeshing ? algorithm.remeshing : algorithm.motion;
                     passes.insert(before ? passes.begin() : passes.end(), fault);
                     Growing disc(way.make(), 3, algorithm);
                     seen = disc.seen;

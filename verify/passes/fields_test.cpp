@@ -14,7 +14,7 @@ namespace {
 double plane_at(const Point<double>& p) { return 3 + p.x() - 2 * p.y(); }
 
 // A linear field stays exact wherever the flow takes the interface, smoothing what is inside, and
-// upkeep its new vertices; with each way to insert these, and in submeshes.
+// remeshing its new vertices; with each way to insert these, and in submeshes.
 TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
     const Velocity<double> strain = test::pointwise<double>(
         [](const Point<double>& p, double) { return Point<double>(p.x() - 0.5, 0.7 - p.y()); });

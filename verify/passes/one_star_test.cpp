@@ -45,7 +45,7 @@ protected:
         work.activate(0);
         update_mesh(work);
     }
-    bool is_put_off(DeferredKind kind) const {
+    bool is_deferred(DeferredKind kind) const {
         return std::ranges::any_of(work.deferred.entries, [&](const Deferred<double>& one) {
             return one.kind == kind && one.vertex == 0;
         });
@@ -70,7 +70,7 @@ TEST_F(AStar, IsNotSmoothedOutOfItsSubmesh) {
     leave_out({0, 0});
     update();
     EXPECT_GE((complex.position(Vertex{0}) - hole).norm(), 0.1);
-    EXPECT_TRUE(is_put_off(DeferredKind::star));
+    EXPECT_TRUE(is_deferred(DeferredKind::star));
 }
 
 TEST_F(AStar, OfPoorTrianglesIsCollapsed) {
@@ -87,20 +87,20 @@ TEST_F(AStar, OfPoorTrianglesIsCollapsed) {
 
 TEST_F(AStar, MovesNoVertexOutOfItsSubmesh) {
     leave_out({0.3, 0});
-    work.movers.push_back({0, 0.3, 0});
+    work.moving_vertices.push_back({0, 0.3, 0});
     move_vertices(work);
     EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
-    EXPECT_TRUE(work.movers.empty());
-    EXPECT_TRUE(is_put_off(DeferredKind::mover));
+    EXPECT_TRUE(work.moving_vertices.empty());
+    EXPECT_TRUE(is_deferred(DeferredKind::moving_vertex));
 }
 
 TEST_F(AStar, ThatVanishesOnItsWayHasNowhereToArrive) {
-    const Edge spoke =
+    const Edge incident_edge =
         complex.find_edge(Vertex{0}, Vertex{complex.vertex(next(complex.vertices[0].corner))});
-    ASSERT_EQ(edge_collapse(complex, spoke, Vertex{0}), Verdict::legal);
-    work.movers.push_back({0, 0.3, 0});
-    EXPECT_EQ(give_up_movers(work), 0U);
-    EXPECT_TRUE(work.movers.empty());
+    ASSERT_EQ(edge_collapse(complex, incident_edge, Vertex{0}), Verdict::legal);
+    work.moving_vertices.push_back({0, 0.3, 0});
+    EXPECT_EQ(give_up_moving_vertices(work), 0U);
+    EXPECT_TRUE(work.moving_vertices.empty());
 }
 
 // --- effort: counted rather than timed -----------------------------------------------------------
@@ -114,7 +114,7 @@ std::uint32_t count_question(const void* context, double /*x*/, double /*y*/) {
 }
 
 TEST_F(AStar, AMoveWakesTheVertexAndItsLink) {
-    work.movers.push_back({0, 0.01, 0.0});
+    work.moving_vertices.push_back({0, 0.01, 0.0});
     move_vertices(work);
     EXPECT_EQ(work.log.counts.moves, 1U);
     std::vector<std::uint32_t> woken = work.active;
@@ -126,7 +126,7 @@ TEST_F(AStar, AMoveWakesTheVertexAndItsLink) {
 }
 
 TEST_F(AStar, IsLookedAtOnce) {
-    work.movers.push_back({0, 0.01, 0.0});
+    work.moving_vertices.push_back({0, 0.01, 0.0});
     move_vertices(work);
     work.activate(0); // once more
     update_mesh(work);
@@ -177,9 +177,9 @@ TEST(Walls, AreLeftByNoVertex) {
     auto options = options_for<double>(1);
     Work<double> work(complex, options);
     work.epoch = 1;
-    work.movers.push_back({2, 2.3, -0.7}); // in the middle of the lower side
-    work.movers.push_back({0, -0.5, 0.2}); // a corner of the domain
-    work.movers.push_back({10, 0.4, 2.2}); // in the middle of the left side
+    work.moving_vertices.push_back({2, 2.3, -0.7}); // in the middle of the lower side
+    work.moving_vertices.push_back({0, -0.5, 0.2}); // a corner of the domain
+    work.moving_vertices.push_back({10, 0.4, 2.2}); // in the middle of the left side
     move_vertices(work);
     EXPECT_EQ(complex.position(Vertex{2}), Point<double>(2.3, 0));
     EXPECT_EQ(complex.position(Vertex{0}), Point<double>(0, 0));
@@ -216,14 +216,14 @@ TEST(KeptStars, AreReadUntilTheyChange) {
         }
     }
     work.interface = {12};
-    work.aim.positions = {complex.position(Vertex{12})};
-    work.aim.targets = {Point<double>(2.1, 2)};
-    work.aim.held = {0};
-    collect_movers(work);
-    EXPECT_EQ(work.movers.back().star, 0U);
+    work.trajectory.positions = {complex.position(Vertex{12})};
+    work.trajectory.targets = {Point<double>(2.1, 2)};
+    work.trajectory.held = {0};
+    collect_moving_vertices(work);
+    EXPECT_EQ(work.moving_vertices.back().star, 0U);
     work.activate(12);
-    collect_movers(work);
-    EXPECT_EQ(work.movers.back().star, no_id);
+    collect_moving_vertices(work);
+    EXPECT_EQ(work.moving_vertices.back().star, no_id);
 }
 
 } // namespace

@@ -32,14 +32,14 @@ protected:
     }
 };
 
-TEST_F(WallParts, SpokesAreThoseOnTheBoundary) {
+TEST_F(WallParts, IncidentEdgesAreThoseOnTheBoundary) {
     gather_at(2, 0);
-    EXPECT_EQ(ring.link_x(wall_spoke(ring, true).link), 3); // the domain on the left
-    EXPECT_EQ(ring.link_x(wall_spoke(ring, false).link), 1);
-    EXPECT_EQ(wall_spoke(ring, false).squared, 1);
+    EXPECT_EQ(ring.link_x(boundary_edge(ring, true).link), 3); // the domain on the left
+    EXPECT_EQ(ring.link_x(boundary_edge(ring, false).link), 1);
+    EXPECT_EQ(boundary_edge(ring, false).squared, 1);
     gather_at(2, 4);
-    EXPECT_EQ(ring.link_x(wall_spoke(ring, true).link), 1);
-    EXPECT_EQ(ring.link_x(wall_spoke(ring, false).link), 3);
+    EXPECT_EQ(ring.link_x(boundary_edge(ring, true).link), 1);
+    EXPECT_EQ(ring.link_x(boundary_edge(ring, false).link), 3);
 }
 
 TEST_F(WallParts, LimitsAreKept) {

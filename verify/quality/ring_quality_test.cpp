@@ -94,7 +94,7 @@ TEST(RingQuality, AStarThatPassesTheDelaunayTestHasNoMargin) {
     const auto complex = test::hexagon<double>();
     Ring<double> ring;
     ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-    SpokeMargins<double> margins;
+    IncidentEdgeMargins<double> margins;
     EXPECT_EQ(examine(ring, margins).delaunay, 0);
     for (std::uint32_t i = 0; i < ring.size; ++i) {
         EXPECT_GT(margins[i], 0);

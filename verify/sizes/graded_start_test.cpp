@@ -8,7 +8,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
-#include "dsc/passes/mesh/size_upkeep.h"
+#include "dsc/passes/mesh/size_update.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

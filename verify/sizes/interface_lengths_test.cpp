@@ -83,7 +83,7 @@ TEST_P(InterfaceLengths, FollowThePlace) {
         EXPECT_EQ(validate(complex).problem, "");
     }
     const Lengths lengths = lengths_of(complex);
-    EXPECT_LT(lengths.longest, 1.2); // a step may lengthen what upkeep has left
+    EXPECT_LT(lengths.longest, 1.2); // a step may lengthen what remeshing has left
     EXPECT_GT(lengths.left, 2 * lengths.right);
     EXPECT_LT(lengths.right, 1.5 * finest);
     EXPECT_NEAR(phase_area(complex, 1), 3.1416 * std::pow(0.08 + 18 * finest, 2), 0.004);

@@ -32,8 +32,8 @@ namespace {
 using test::constant;
 using test::in_copies;
 
-// Every active vertex and every mover comes to one submesh that owns its star, in some round, with
-// its own target: none is lost or handled twice, whichever boundaries it lies on.
+// Every active vertex and every moving_vertex comes to one submesh that owns its star, in some
+// round, with its own target: none is lost or handled twice, whichever boundaries it lies on.
 TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     constexpr double h = 0.03;
     const Point<double> way(0.002, 0.001);
@@ -48,12 +48,12 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
         std::map<Place, int> moved;
         int threads = 0; // at most at once
         Algorithm<double> algorithm;
-        algorithm.upkeep.push_back({"activate all", [](Work<double>& work) {
-                                        for (std::uint32_t v = 0; v < work.complex.vertex_bound();
-                                             ++v) {
-                                            work.activate(v);
-                                        }
-                                    }});
+        algorithm.remeshing.push_back({"activate all", [](Work<double>& work) {
+                                           for (std::uint32_t v = 0;
+                                                v < work.complex.vertex_bound(); ++v) {
+                                               work.activate(v);
+                                           }
+                                       }});
         algorithm.motion.push_back(
             {"note", [&](Work<double>& work) {
                  const std::lock_guard lock(mutex);
@@ -72,20 +72,22 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
                          work.deferred.star(v);
                      }
                  }
-                 for (const auto& mover : work.movers) {
-                     if (owns_star(mover.vertex)) {
-                         ++moved[place(mover.vertex)];
-                         const auto p = work.complex.position(Vertex{mover.vertex});
-                         EXPECT_LT((p + way - Point<double>(mover.x, mover.y)).norm(), 1e-12);
+                 for (const auto& moving_vertex : work.moving_vertices) {
+                     if (owns_star(moving_vertex.vertex)) {
+                         ++moved[place(moving_vertex.vertex)];
+                         const auto p = work.complex.position(Vertex{moving_vertex.vertex});
+                         EXPECT_LT(
+                             (p + way - Point<double>(moving_vertex.x, moving_vertex.y)).norm(),
+                             1e-12);
                      } else {
-                         work.deferred.mover(mover);
+                         work.deferred.moving_vertex(moving_vertex);
                      }
                  }
                  work.active.clear();
-                 work.movers.clear();
+                 work.moving_vertices.clear();
              }});
         CopyExecutor<double> executor(complex, options, algorithm, {.submeshes = n, .threads = 2});
-        (void)executor.aim(constant<double>(way.x(), way.y()), 0, 1);
+        (void)executor.compute_targets(constant<double>(way.x(), way.y()), 0, 1);
         EXPECT_EQ(executor.move().unreached, 0U);
         EXPECT_EQ(looked_at.size(), complex.vertex_count());
         EXPECT_EQ(moved.size(), executor.interface_size());
@@ -99,7 +101,7 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     }
 }
 
-// More vertices than the submeshes have ids for: the rest is put off, and done later.
+// More vertices than the submeshes have ids for: the rest is deferred, and done later.
 TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
@@ -134,8 +136,8 @@ struct Fault : std::runtime_error {
 // lost, but not the simulation.
 TEST(CopyExecutor, GoesOnAfterAPassThrew) {
     constexpr double h = 0.03;
-    enum class Where { upkeep, red, black, whole };
-    for (const Where where : {Where::upkeep, Where::red, Where::black, Where::whole}) {
+    enum class Where { remeshing, red, black, whole };
+    for (const Where where : {Where::remeshing, Where::red, Where::black, Where::whole}) {
         for (const bool before : {true, false}) {
             SCOPED_TRACE(std::to_string(static_cast<int>(where)) + (before ? ", first" : ", last"));
             auto complex = test::disc_complex<double>(h);
@@ -150,7 +152,7 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
                 "fault", [&](Work<double>& work) {
                     const bool is_whole = work.submesh.region.is_whole();
                     const std::uint32_t run = is_whole || work.epoch > 1 ? runs.load() : runs++;
-                    const bool here = where == Where::upkeep || where == Where::whole
+                    const bool here = where == Where::remeshing || where == Where::whole
                                           ? is_whole
                                           : !is_whole && run == (where == Where::red ? 5 : n + 5);
                     if (faulty && here) {
@@ -159,14 +161,14 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
                     }
                 }};
             auto algorithm = default_algorithm<double>();
-            auto& passes = where == Where::upkeep ? algorithm.upkeep : algorithm.motion;
+            auto& passes = where == Where::remeshing ? algorithm.remeshing : algorithm.motion;
             passes.insert(before ? passes.begin() : passes.end(), fault);
             auto simulation =
                 in_copies(complex, options, {.submeshes = n, .threads = 3}, algorithm);
             const std::uint64_t hash = mesh_hash(complex);
             EXPECT_THROW((void)simulation.step(constant<double>(0.01, 0), 0, 1), Fault);
             EXPECT_GE(thrown, 1);
-            if (where == Where::red || where == Where::upkeep) {
+            if (where == Where::red || where == Where::remeshing) {
                 EXPECT_EQ(mesh_hash(complex), hash) << "nothing was merged";
             } else if (where == Where::black) {
                 EXPECT_NE(mesh_hash(complex), hash) << "red was merged";

@@ -67,8 +67,8 @@ TYPED_TEST(MeshFunctions, RemoveAndReinsertInAnyOrderAndOrientation) {
 
 TYPED_TEST(MeshFunctions, RemovalTakesSuperfacesAlong) {
     auto complex = hexagon<TypeParam>();
-    const Edge spoke = complex.find_edge(Vertex{0}, Vertex{2});
-    EXPECT_EQ(remove(complex, SimplexSet({}, {spoke}, {})), 2U);
+    const Edge incident_edge = complex.find_edge(Vertex{0}, Vertex{2});
+    EXPECT_EQ(remove(complex, SimplexSet({}, {incident_edge}, {})), 2U);
     EXPECT_EQ(validate(complex).problem, "");
     EXPECT_FALSE(is_valid_simplex(complex, complex.find_edge(Vertex{0}, Vertex{2})));
     EXPECT_TRUE(is_valid_simplex(complex, Vertex{2})) << "lives on without triangles";
@@ -79,7 +79,7 @@ TYPED_TEST(MeshFunctions, RemovalTakesSuperfacesAlong) {
     EXPECT_EQ(complex.vertex_count(), 6U);
     EXPECT_EQ(validate(complex).problem, "");
     EXPECT_EQ(validate(complex).unused_vertices, 6U);
-    EXPECT_EQ(remove(complex, SimplexSet({Vertex{0}}, {spoke}, {Triangle{1}})), 0U);
+    EXPECT_EQ(remove(complex, SimplexSet({Vertex{0}}, {incident_edge}, {Triangle{1}})), 0U);
 }
 
 TYPED_TEST(MeshFunctions, RemovalOfAVertexWithTwoFansTakesBoth) {

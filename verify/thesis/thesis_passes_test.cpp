@@ -22,7 +22,7 @@ using test::options_for;
 
 void run_pass_named(Work<double>& work, std::string_view name, const ThesisThresholds& thresholds) {
     const auto algorithm = thesis_algorithm<double>(work.options, thresholds);
-    for (const auto* passes : {&algorithm.upkeep, &algorithm.motion}) {
+    for (const auto* passes : {&algorithm.remeshing, &algorithm.motion}) {
         const auto pass = std::ranges::find(*passes, name, &Pass<double>::name);
         if (pass != passes->end()) {
             pass->run(work);

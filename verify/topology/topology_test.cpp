@@ -80,7 +80,7 @@ void expect_arrival_once_free(Complex<double>& complex, Executor<double>& execut
     complex.journal.readers = 1;
     constexpr double way = 2 * h;
     executor.begin_step();
-    (void)executor.aim(to_the_right, 0, way);
+    (void)executor.compute_targets(to_the_right, 0, way);
     const MoveReport moved = executor.move();
     ASSERT_GT(moved.unreached, 0U);
     for (const Triangle t : triangles(complex)) {

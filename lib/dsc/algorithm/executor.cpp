@@ -48,9 +48,10 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
         }
         work.epoch = next_stamp(work.complex, next_epoch);
         ++done;
-        const bool has_arrived = std::ranges::all_of(work.movers, [&](const auto& mover) {
-            return is_in_contact(work.complex.vertices[mover.vertex]);
-        });
+        const bool has_arrived =
+            std::ranges::all_of(work.moving_vertices, [&](const auto& moving_vertex) {
+                return is_in_contact(work.complex.vertices[moving_vertex.vertex]);
+            });
         if (has_arrived) {
             break;
         }
@@ -64,16 +65,16 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
 
 // One that has vanished on its way has nowhere to arrive.
 template <class Real>
-std::uint64_t give_up_movers(Work<Real>& work) {
-    std::erase_if(work.movers, [&](const Mover<Real>& mover) {
-        return !work.complex.is_alive(Vertex{mover.vertex});
+std::uint64_t give_up_moving_vertices(Work<Real>& work) {
+    std::erase_if(work.moving_vertices, [&](const MovingVertex<Real>& moving_vertex) {
+        return !work.complex.is_alive(Vertex{moving_vertex.vertex});
     });
-    for (const auto& mover : work.movers) {
-        auto& flags = work.complex.vertices[mover.vertex].flags;
+    for (const auto& moving_vertex : work.moving_vertices) {
+        auto& flags = work.complex.vertices[moving_vertex.vertex].flags;
         flags &= ~static_cast<std::uint32_t>(vertex_on_way);
         flags += (flags & vertex_contact) == vertex_contact ? 0U : std::uint32_t{vertex_missed};
     }
-    return work.movers.size();
+    return work.moving_vertices.size();
 }
 
 template <class Real>
@@ -88,7 +89,7 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     whole_.epoch = new_stamp();
-    whole_.upkeep = algorithm_.upkeep;
+    whole_.remeshing = algorithm_.remeshing;
     whole_.interface = collect_moved(complex, options_);
     // The first splits should not copy the whole mesh to make room for a few ids.
     const std::size_t room = 64 + 2 * whole_.interface.size();
@@ -121,10 +122,10 @@ void Executor<Real>::list_interface() {
 }
 
 template <class Real>
-void Executor<Real>::add_upkeep(const Pass<Real>& pass) {
-    algorithm_.upkeep.push_back(pass);
+void Executor<Real>::add_remeshing(const Pass<Real>& pass) {
+    algorithm_.remeshing.push_back(pass);
     for (Work<Real>* work : works_) {
-        work->upkeep = algorithm_.upkeep;
+        work->remeshing = algorithm_.remeshing;
     }
 }
 
@@ -174,17 +175,17 @@ void Executor<Real>::begin_step() {
 
 template <class Real>
 void Executor<Real>::keep_up_whole() {
-    for (const auto& pass : algorithm_.upkeep) {
+    for (const auto& pass : algorithm_.remeshing) {
         run_pass(whole_, pass);
     }
     whole_.deferred.clear();
 }
 
 template <class Real>
-AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+TargetReport<Real> Executor<Real>::compute_targets(const Flow<Real>& flow, Real time, Real dt) {
     progress_ = Progress::under_way;
-    // Upkeep may find more to do when it is run again: where the flow threw after it, the sub-step
-    // that is made again goes on from there.
+    // Remeshing may find more to do when it is run again: where the flow threw after it, the
+    // sub-step that is made again goes on from there.
     if (!is_kept_up_ || whole_.time != time || whole_.dt != dt) {
         whole_.time = time;
         whole_.dt = dt;
@@ -193,14 +194,15 @@ AimReport<Real> Executor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) 
         is_kept_up_ = true;
     }
     const std::size_t end = whole_.interface.size();
-    const AimReport<Real> report = sight_->aim(whole_, std::span(&end, 1), flow, time, dt);
-    progress_ = Progress::aimed;
+    const TargetReport<Real> report =
+        sight_->compute_targets(whole_, std::span(&end, 1), flow, time, dt);
+    progress_ = Progress::has_targets;
     return report;
 }
 
 template <class Real>
-Reach<Real> Executor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
-    return sight_->aim_again(flow, time, dt);
+Reach<Real> Executor<Real>::recompute_targets(const Flow<Real>& flow, Real time, Real dt) {
+    return sight_->recompute_targets(flow, time, dt);
 }
 
 template <class Real>
@@ -217,7 +219,7 @@ template <class Real>
 MoveReport Executor<Real>::move_whole() {
     MoveReport report;
     report.passes = run_motion(whole_, algorithm_.motion, epoch_);
-    report.unreached = give_up_movers(whole_);
+    report.unreached = give_up_moving_vertices(whole_);
     whole_.deferred.clear();
     return report;
 }
@@ -226,8 +228,8 @@ template <class Real>
 std::uint64_t Executor<Real>::begin_movement() {
     progress_ = Progress::under_way;
     is_kept_up_ = false;
-    whole_.movers.clear();
-    return collect_movers(whole_);
+    whole_.moving_vertices.clear();
+    return collect_moving_vertices(whole_);
 }
 
 template <class Real>
@@ -241,28 +243,29 @@ void Executor<Real>::end_movement() {
 template <class Real>
 std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     progress_ = Progress::under_way;
-    const std::size_t missed = whole_.movers.size();
-    std::erase_if(whole_.movers, [&](const Mover<Real>& mover) {
-        return std::ranges::binary_search(gone, mover.vertex) ||
-               !is_moved(complex_, options_, Vertex{mover.vertex});
+    const std::size_t missed = whole_.moving_vertices.size();
+    std::erase_if(whole_.moving_vertices, [&](const MovingVertex<Real>& moving_vertex) {
+        return std::ranges::binary_search(gone, moving_vertex.vertex) ||
+               !is_moved(complex_, options_, Vertex{moving_vertex.vertex});
     });
-    if (!whole_.movers.empty()) {
+    if (!whole_.moving_vertices.empty()) {
         (void)run_motion(whole_, algorithm_.motion, epoch_);
         whole_.deferred.clear();
         // That they missed has been noted.
-        for (const auto& mover : whole_.movers) {
-            complex_.vertices[mover.vertex].flags &= ~static_cast<std::uint32_t>(vertex_on_way);
+        for (const auto& moving_vertex : whole_.moving_vertices) {
+            complex_.vertices[moving_vertex.vertex].flags &=
+                ~static_cast<std::uint32_t>(vertex_on_way);
         }
     }
-    const std::size_t left = whole_.movers.size();
-    whole_.movers.clear();
+    const std::size_t left = whole_.moving_vertices.size();
+    whole_.moving_vertices.clear();
     end_movement();
     return missed - left;
 }
 
 template <class Real>
 void Executor<Real>::end_step() {
-    whole_.movers.clear();
+    whole_.moving_vertices.clear();
     if (progress_ == Progress::under_way && !is_kept_up_) { // a pass or its functions threw
         list_interface();
     }
@@ -360,7 +363,7 @@ void Executor<Real>::archive(Archive& archive) {
                                       std::uint32_t&);                                             \
     template std::uint32_t next_stamp(Complex<Real>&, std::uint32_t&);                             \
     template void clear_stamps(Complex<Real>&);                                                    \
-    template std::uint64_t give_up_movers(Work<Real>&);                                            \
+    template std::uint64_t give_up_moving_vertices(Work<Real>&);                                   \
     template class Executor<Real>;
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

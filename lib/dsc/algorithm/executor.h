@@ -33,14 +33,14 @@ struct Reach {
 
 /// What is known once all targets have been found.
 template <class Real>
-struct AimReport {
+struct TargetReport {
     Real fastest = 0;         ///< the largest finite speed at the start
     Vertex where;             ///< the first vertex that has it
     Reach<Real> reach;        ///< of the targets
     std::uint64_t held = 0;   ///< vertices held because of a velocity that is not finite
     std::size_t vertices = 0; ///< interface vertices
 
-    AimReport& operator+=(const AimReport& other);
+    TargetReport& operator+=(const TargetReport& other);
 };
 
 /// The result of a movement.
@@ -58,9 +58,9 @@ class InterfaceSight;
 /// Runs the passes over the whole complex, on the calling thread: the sequential DSC of the thesis.
 /// A class derived from it may let submeshes run first; the whole then does what all of them left.
 ///
-/// For each step the driver calls begin_step; for each sub-step aim, perhaps aim_again, and move,
-/// and where stages have edited the complex move_missed; then end_step. After an exception it only
-/// calls end_step, and the complex must be valid then.
+/// For each step the driver calls begin_step; for each sub-step trajectory, perhaps
+/// recompute_targets, and move, and where stages have edited the complex move_missed; then
+/// end_step. After an exception it only calls end_step, and the complex must be valid then.
 template <class Real>
 class Executor : public Unmovable {
 public:
@@ -74,8 +74,8 @@ public:
     // Between two steps.
     /// Replaces all options by ones that have been checked. O(mesh) if other phases are carried.
     void set_options(const Options<Real>& options);
-    /// Appends a pass to the upkeep: what a stage has to see before anything moves.
-    void add_upkeep(const Pass<Real>& pass);
+    /// Appends a pass to the remeshing: what a stage has to see before anything moves.
+    void add_remeshing(const Pass<Real>& pass);
     /// Whether records of edits are kept from now on, for `take_edits`.
     void keep_edits(bool keep);
     /// Vertices that the next mesh update has to look at, because their edges or the targets of
@@ -90,12 +90,12 @@ public:
     // In a step.
     /// Called before the first sub-step.
     virtual void begin_step();
-    /// Interface upkeep, unless it was done for the same `time` and `dt` and the flow threw after
-    /// it; then velocities at `time` and targets at time + dt. `dt` is the step that the driver
-    /// expects; it may change it once the velocities are known.
-    virtual AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt);
+    /// Interface remeshing, unless it was done for the same `time` and `dt` and the flow threw
+    /// after it; then velocities at `time` and targets at time + dt. `dt` is the step that the
+    /// driver expects; it may change it once the velocities are known.
+    virtual TargetReport<Real> compute_targets(const Flow<Real>& flow, Real time, Real dt);
     /// New targets for another dt, from the same positions and for the same flow.
-    virtual Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
+    virtual Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt);
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move();
     /// Tries those that did not arrive once more, after a stage has edited the complex, which may
@@ -125,20 +125,21 @@ public:
 protected:
     /// How far a sub-step has come.
     enum class Progress : std::uint8_t {
-        none,      ///< it has ended, or has not begun
-        under_way, ///< what is in which list can only be told by a look at the mesh
-        aimed,     ///< upkeep and aiming are over, nothing moves yet
+        none,        ///< it has ended, or has not begun
+        under_way,   ///< what is in which list can only be told by a look at the mesh
+        has_targets, ///< remeshing is done and targets are known, nothing moves yet
     };
 
     /// The work in whose list a vertex of the interface belongs.
     virtual Work<Real>& home_of(std::uint32_t /*vertex*/) { return whole_; }
 
     // Parts of a step.
-    /// Interface upkeep in the whole. Nothing is put off there.
+    /// Interface remeshing in the whole. Nothing is deferred there.
     void keep_up_whole();
-    /// Before any vertex moves: the movers of the whole. Returns how many are held.
+    /// Before any vertex moves: the moving_vertices of the whole. Returns how many are held.
     std::uint64_t begin_movement();
-    /// Movement and mesh update in the whole: its movers, and the stars that have to be visited.
+    /// Movement and mesh update in the whole: its moving_vertices, and the stars that have to be
+    /// visited.
     MoveReport move_whole();
     /// What is left to do when all vertices have moved: edits and lists.
     void end_movement();
@@ -166,7 +167,7 @@ protected:
     /// The whole has been kept up for the time and dt in `whole_`, and nothing has changed since.
     bool is_kept_up_ = false;
     InShares in_shares_ = one_by_one; ///< where a class derived from this has no threads
-    std::unique_ptr<InterfaceSight<Real>> sight_; ///< aims the whole interface at once
+    std::unique_ptr<InterfaceSight<Real>> sight_; ///< targets of the whole interface at once
 
 private:
     std::vector<Edit> edits_; ///< in the order of the sections, and there of `works_`
@@ -180,21 +181,23 @@ private:
 /// Notes where the vertices of `work.interface` are, none of them held, and makes room for where
 /// they go. O(interface vertices).
 template <class Real>
-void begin_aim(Work<Real>& work);
+void begin_targets(Work<Real>& work);
 
 /// Finds the velocities of `work.interface` at `time`, and from these its targets at time + dt;
-/// both in `work.aim`. O(interface vertices).
+/// both in `work.trajectory`. O(interface vertices).
 template <class Real>
-AimReport<Real> aim_along(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
+TargetReport<Real> targets_along(Work<Real>& work, const Velocity<Real>& velocity, Real time,
+                                 Real dt);
 
 /// Finds the targets for another dt from the same velocities. O(interface vertices).
 template <class Real>
 Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
 
-/// Puts the vertices that have to move into `work.movers`; returns how many are held because their
-/// target is not finite. Locked vertices stay. A custom integrator is told which targets these are.
+/// Puts the vertices that have to move into `work.moving_vertices`; returns how many are held
+/// because their target is not finite. Locked vertices stay. A custom integrator is told which
+/// targets these are.
 template <class Real>
-std::uint64_t collect_movers(Work<Real>& work);
+std::uint64_t collect_moving_vertices(Work<Real>& work);
 
 /// True once a vertex has missed its target three times in a row: something is in its way, and
 /// further attempts would be in vain.
@@ -203,15 +206,15 @@ bool is_in_contact(const VertexRecord<Real>& record) {
     return (record.flags & vertex_contact) == vertex_contact;
 }
 
-/// The movers that are left did not arrive, which is noted for each vertex. Those that have
-/// vanished are no movers any more. Returns the number of the others.
+/// The moving_vertices that are left did not arrive, which is noted for each vertex. Those that
+/// have vanished are no moving_vertices any more. Returns the number of the others.
 template <class Real>
-std::uint64_t give_up_movers(Work<Real>& work);
+std::uint64_t give_up_moving_vertices(Work<Real>& work);
 
-/// Repeats the motion passes over `work.movers` until all have arrived except those in contact, for
-/// at most `max_passes`, and at most `max_idle_passes` without any progress. `next_epoch` gives the
-/// stamp of the next pass. Returns the number of passes run; vertices that did not arrive are left
-/// in `work.movers`.
+/// Repeats the motion passes over `work.moving_vertices` until all have arrived except those in
+/// contact, for at most `max_passes`, and at most `max_idle_passes` without any progress.
+/// `next_epoch` gives the stamp of the next pass. Returns the number of passes run; vertices that
+/// did not arrive are left in `work.moving_vertices`.
 template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);

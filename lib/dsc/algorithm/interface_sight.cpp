@@ -75,9 +75,9 @@ bool InterfaceGraph<Real>::has_number(const Complex<Real>& complex, std::uint32_
 template <class Real>
 bool InterfaceGraph<Real>::connect_kept(const Complex<Real>& complex, std::size_t i,
                                         const KeptStar& star) {
-    const std::uint32_t first = star.link[star.spokes.first];
-    const std::uint32_t second = star.link[star.spokes.second];
-    if (star.spokes.count != 2 || !star.is_unchanged(complex) || !has_number(complex, first) ||
+    const std::uint32_t first = star.link[star.incident.first];
+    const std::uint32_t second = star.link[star.incident.second];
+    if (star.incident.count != 2 || !star.is_unchanged(complex) || !has_number(complex, first) ||
         !has_number(complex, second)) {
         return false;
     }
@@ -98,9 +98,9 @@ void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t
     const Vertex vertex = vertices_[i];
     auto& arms = found.arms;
     const std::size_t first = arms.size();
-    std::size_t spokes = 0;
+    std::size_t incident = 0;
     const auto add = [&](std::uint32_t to, Phase left, Phase right) {
-        ++spokes;
+        ++incident;
         if (has_number(complex, to)) {
             arms.push_back({complex.vertices[to].slot, left, right});
         }
@@ -112,7 +112,7 @@ void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t
         if (is_interface_pair(after, before)) {
             add(complex.vertex(next(c)), after, before);
         }
-        // The last spoke of an open star.
+        // The last incident edge of an open star.
         if (is_border(complex.twin(next(c)))) {
             is_on_boundary = true;
             if (is_interface_pair(after, border_phase)) {
@@ -122,7 +122,7 @@ void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t
     });
     unsigned flags = own_flags(complex.vertices[vertex.id].flags);
     flags |= is_on_boundary ? unsigned{interface_boundary} : 0U;
-    if (spokes == 2 && arms.size() - first == 2 && arms[first].left == arms[first + 1].right &&
+    if (incident == 2 && arms.size() - first == 2 && arms[first].left == arms[first + 1].right &&
         arms[first].right == arms[first + 1].left) {
         const bool first_is_next = is_left(arms[first].left, arms[first].right);
         const InterfaceArm& ahead = arms[first_is_next ? first : first + 1];
@@ -204,7 +204,7 @@ Velocity<Real> InterfaceSight<Real>::velocity(const InterfaceFlow<Real>& flow) {
 
 template <class Real>
 bool InterfaceSight<Real>::stays(std::size_t i) const {
-    return work_->aim.held[i] != 0 || work_->complex.is_locked(Vertex{work_->interface[i]});
+    return work_->trajectory.held[i] != 0 || work_->complex.is_locked(Vertex{work_->interface[i]});
 }
 
 template <class Real>
@@ -213,7 +213,7 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
     stage_.resize(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const bool is_seen_moved = !stays(i) && positions[i].allFinite();
-        stage_[i] = is_seen_moved ? positions[i] : work_->aim.positions[i];
+        stage_[i] = is_seen_moved ? positions[i] : work_->trajectory.positions[i];
     }
     std::ranges::fill(velocities, Point<Real>(0, 0));
     const InterfaceView<Real> view = graph_.view(work_->complex, stage_, in_shares_);
@@ -231,29 +231,31 @@ void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real
 }
 
 template <class Real>
-AimReport<Real> InterfaceSight<Real>::aim(Work<Real>& work, std::span<const std::size_t> ends,
-                                          const Flow<Real>& flow, Real time, Real dt) {
+TargetReport<Real>
+InterfaceSight<Real>::compute_targets(Work<Real>& work, std::span<const std::size_t> ends,
+                                      const Flow<Real>& flow, Real time, Real dt) {
     work_ = &work;
     if (flow.velocity() != nullptr) {
-        return aim_along(work, *flow.velocity(), time, dt);
+        return targets_along(work, *flow.velocity(), time, dt);
     }
     look(ends);
     if (flow.motion() == nullptr) {
-        return aim_along(work, velocity(*flow.seeing()), time, dt);
+        return targets_along(work, velocity(*flow.seeing()), time, dt);
     }
-    AimReport<Real> report;
-    Aim<Real>& aim = work_->aim;
+    TargetReport<Real> report;
+    Trajectory<Real>& trajectory = work_->trajectory;
     const std::vector<std::uint32_t>& list = work_->interface;
-    begin_aim(*work_);
+    begin_targets(*work_);
     report.vertices = list.size();
     report.reach = displace(*flow.motion(), time, dt);
     Real farthest = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (!aim.targets[i].allFinite()) {
-            aim.held[i] = 1;
-            aim.targets[i] = aim.positions[i];
+        if (!trajectory.targets[i].allFinite()) {
+            trajectory.held[i] = 1;
+            trajectory.targets[i] = trajectory.positions[i];
             ++report.held;
-        } else if (const Real way = (aim.targets[i] - aim.positions[i]).norm(); way > farthest) {
+        } else if (const Real way = (trajectory.targets[i] - trajectory.positions[i]).norm();
+                   way > farthest) {
             farthest = way;
             report.where = Vertex{list[i]};
         }
@@ -263,7 +265,7 @@ AimReport<Real> InterfaceSight<Real>::aim(Work<Real>& work, std::span<const std:
 }
 
 template <class Real>
-Reach<Real> InterfaceSight<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+Reach<Real> InterfaceSight<Real>::recompute_targets(const Flow<Real>& flow, Real time, Real dt) {
     if (flow.velocity() != nullptr) {
         return find_targets(*work_, *flow.velocity(), time, dt);
     }
@@ -274,18 +276,19 @@ Reach<Real> InterfaceSight<Real>::aim_again(const Flow<Real>& flow, Real time, R
 template <class Real>
 Reach<Real> InterfaceSight<Real>::displace(const InterfaceMotion<Real>& motion, Real time,
                                            Real dt) {
-    Aim<Real>& aim = work_->aim;
-    aim.dt = dt;
-    std::vector<Point<Real>>& displacements = aim.scratch.first;
+    Trajectory<Real>& trajectory = work_->trajectory;
+    trajectory.dt = dt;
+    std::vector<Point<Real>>& displacements = trajectory.scratch.first;
     std::ranges::fill(displacements, Point<Real>(0, 0));
     if (!displacements.empty()) {
-        motion(graph_.view(work_->complex, aim.positions, in_shares_), time, dt, displacements);
+        motion(graph_.view(work_->complex, trajectory.positions, in_shares_), time, dt,
+               displacements);
     }
     Real farthest = 0;
     for (std::size_t i = 0; i < displacements.size(); ++i) {
-        aim.targets[i] = aim.positions[i];
+        trajectory.targets[i] = trajectory.positions[i];
         if (!stays(i)) {
-            aim.targets[i] += displacements[i];
+            trajectory.targets[i] += displacements[i];
             const Real squared = displacements[i].squaredNorm();
             farthest = std::isfinite(squared) ? std::max(farthest, squared) : farthest;
         }

@@ -29,7 +29,7 @@ public:
     void number(Complex<Real>& complex, std::span<const std::uint32_t> list, std::size_t begin);
     /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. A neighbour
     /// without a number is left out: a pass of the application may just have put it on the
-    /// interface, and it is listed from the next sub-step on. `stars` are those that upkeep has
+    /// interface, and it is listed from the next sub-step on. `stars` are those that remeshing has
     /// kept of vertices in the list, in its order. O(stars).
     void connect(const Complex<Real>& complex, std::size_t range, std::size_t begin,
                  std::size_t end, std::span<const KeptStar> stars);
@@ -73,10 +73,10 @@ public:
     /// whole interface, and is divided into ranges that end at `ends`: a flow that sees the
     /// interface is asked for each of them. O(its stars), shared among the ranges, if the flow sees
     /// it; else O(interface vertices).
-    AimReport<Real> aim(Work<Real>& work, std::span<const std::size_t> ends, const Flow<Real>& flow,
-                        Real time, Real dt);
+    TargetReport<Real> compute_targets(Work<Real>& work, std::span<const std::size_t> ends,
+                                       const Flow<Real>& flow, Real time, Real dt);
     /// New targets of the same work and flow for another dt. A vertex that is held stays held.
-    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt);
+    Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt);
 
 private:
     void look(std::span<const std::size_t> ends);

@@ -3,7 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/passes/interface/list.h"
-#include "dsc/passes/mesh/size_upkeep.h"
+#include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/readers.h"
 #include "dsc/sizes/sizes.h"
 
@@ -158,7 +158,7 @@ void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
     stage->check(complex_, options_);
     stage->begin(complex_, options_);
     if (const auto pass = stage->pass()) {
-        executor_->add_upkeep(*pass);
+        executor_->add_remeshing(*pass);
     }
     stages_.push_back(std::move(stage));
     stages_.back()->has_simulation_ = true;
@@ -332,7 +332,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
         throw;
     }
     executor_->end_step();
-    tell_what_was_done(); // a sub-step that gives up has done its upkeep
+    tell_what_was_done(); // a sub-step that gives up has done its remeshing
     report.operations = executor_->take_counts();
     report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
@@ -368,35 +368,35 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
     // the targets are then found in one call, and submeshes need not wait for each other in
     // between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
-    AimReport<Real> aim = executor_->aim(flow, time, dt);
+    TargetReport<Real> targets = executor_->compute_targets(flow, time, dt);
     complex_.attributes.failure.rethrow();
-    fastest_ = aim.fastest;
-    report.held += aim.held;
-    report.unreached += aim.held;
+    fastest_ = targets.fastest;
+    report.held += targets.held;
+    report.unreached += targets.held;
     const auto give_up = [&](GiveUp reason, Vertex where) {
         report.gave_up = reason;
-        report.unreached += aim.vertices;
+        report.unreached += targets.vertices;
         report.where = where;
-        report.speed = static_cast<double>(aim.fastest);
+        report.speed = static_cast<double>(targets.fastest);
     };
-    const Real pieces = pieces_of(remaining, aim.fastest);
+    const Real pieces = pieces_of(remaining, targets.fastest);
     // The sub-step that the tolerance requires may change within the step.
-    const Real sure = std::max(pieces_of_speed(remaining, aim.fastest), Real(1));
+    const Real sure = std::max(pieces_of_speed(remaining, targets.fastest), Real(1));
     if (!(sure + static_cast<Real>(report.sub_steps) <=
           static_cast<Real>(options_.max_sub_steps))) {
-        give_up(GiveUp::too_many_sub_steps, aim.where);
+        give_up(GiveUp::too_many_sub_steps, targets.where);
         return false;
     }
     if (dt_of(pieces) != dt) {
         dt = dt_of(pieces);
-        aim.reach = executor_->aim_again(flow, time, dt);
+        targets.reach = executor_->recompute_targets(flow, time, dt);
     }
-    dt = shorten(flow, time, dt, aim.reach);
-    if (is_at_a_jump(flow, time, dt, aim)) {
-        give_up(GiveUp::velocity_jumps, aim.reach.where);
+    dt = shorten(flow, time, dt, targets.reach);
+    if (is_at_a_jump(flow, time, dt, targets)) {
+        give_up(GiveUp::velocity_jumps, targets.reach.where);
         return false;
     }
-    report.error = std::max(report.error, static_cast<double>(aim.reach.error));
+    report.error = std::max(report.error, static_cast<double>(targets.reach.error));
 
     const MoveReport moved = executor_->move();
     complex_.attributes.failure.rethrow();
@@ -408,7 +408,7 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
     time = remaining > 0 ? time + dt : end; // not what rounding makes of the sum
     if (!stages_.empty()) {
         report.unreached -=
-            run_stages(time, dt, aim.held + moved.unreached, moved.unreached > moved.held);
+            run_stages(time, dt, targets.held + moved.unreached, moved.unreached > moved.held);
     }
     return true;
 }
@@ -430,11 +430,11 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     };
     for (int trial = 0; trial < most_trials && reach.error > tolerance; ++trial) {
         dt *= factor(Real(0.9));
-        reach = executor_->aim_again(flow, time, dt);
+        reach = executor_->recompute_targets(flow, time, dt);
     }
     for (int halving = 0; reach.farthest > farthest && halving < most_halvings; ++halving) {
         dt *= Real(0.5);
-        reach = executor_->aim_again(flow, time, dt);
+        reach = executor_->recompute_targets(flow, time, dt);
     }
     most_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
     return dt;
@@ -445,19 +445,20 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
 // moment, so that the step goes on for a while.
 template <class Real>
 bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
-                                    const AimReport<Real>& aim) {
+                                    const TargetReport<Real>& targets) {
     constexpr Real share = Real(1) / 64; // of the way that the speed allows
     constexpr std::uint32_t patience = 64;
     constexpr Real of_jump = Real(0.35); // estimate of half the time: 1/2 at a jump, else up to 1/4
     const Real length = options_.edge_length;
-    const bool is_short = aim.reach.error > static_cast<Real>(options_.tolerance) * length / 16 &&
-                          dt * aim.fastest < share * static_cast<Real>(options_.sub_step) * length;
+    const bool is_short =
+        targets.reach.error > static_cast<Real>(options_.tolerance) * length / 16 &&
+        dt * targets.fastest < share * static_cast<Real>(options_.sub_step) * length;
     if (!is_short || ++short_ % patience != 0) {
         return false;
     }
-    const Real of_half = executor_->aim_again(flow, time, dt / 2).error;
-    (void)executor_->aim_again(flow, time, dt);
-    return of_half > of_jump * aim.reach.error;
+    const Real of_half = executor_->recompute_targets(flow, time, dt / 2).error;
+    (void)executor_->recompute_targets(flow, time, dt);
+    return of_half > of_jump * targets.reach.error;
 }
 
 template <class Real>

@@ -24,7 +24,7 @@ class Simulation;
 // --- stages --------------------------------------------------------------------------------------
 // Serial work between two sub-steps, in the whole complex: changes of topology, an implicit solve,
 // remeshing by a criterion of the application. A stage may bring a pass of its own, which runs in
-// the submeshes at the end of the upkeep and notes what the stage has to know, in an attribute:
+// the submeshes at the end of the remeshing and notes what the stage has to know, in an attribute:
 // attributes follow operations, renumbering, copies and checkpoints by themselves.
 
 /// What a stage is given.
@@ -57,7 +57,7 @@ public:
     virtual void begin(Complex<Real>& complex, const Options<Real>& options) {
         (void)complex, (void)options;
     }
-    /// The last pass of the upkeep, once a sub-step. Asked for when the stage is added.
+    /// The last pass of the remeshing, once a sub-step. Asked for when the stage is added.
     [[nodiscard]] virtual std::optional<Pass<Real>> pass() { return {}; }
     /// Called after each sub-step. Edits are absorbed after the call, and told to the listeners;
     /// vertices that did not arrive in the sub-step then try again.
@@ -153,7 +153,7 @@ public:
     void add_listener(EditListener listener);
 
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
-    /// its pass at the end of the upkeep. Between two steps. Throws InputError if the stage does
+    /// its pass at the end of the remeshing. Between two steps. Throws InputError if the stage does
     /// not suit the complex or the options, or already belongs to a simulation that lives.
     void add_stage(std::shared_ptr<Stage<Real>> stage);
 
@@ -214,7 +214,8 @@ private:
     [[nodiscard]] Real pieces_of_speed(Real remaining, Real fastest) const;
     [[nodiscard]] Real pieces_of(Real remaining, Real fastest) const;
     Real shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach);
-    bool is_at_a_jump(const Flow<Real>& flow, Real time, Real dt, const AimReport<Real>& aim);
+    bool is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
+                      const TargetReport<Real>& targets);
 
     enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);

@@ -157,7 +157,8 @@ Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
 template <class Real, class Visit>
 Fan for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
     return turn(complex, vertex, [&](Corner c) {
-        // Each spoke once: the clockwise one of each triangle, and the last one of an open fan.
+        // Each incident edge once: the clockwise one of each triangle, and the last one of an open
+        // fan.
         const Corner cw = complex.twin(prev(c));
         if (is_interface_pair(complex.phase_at(c), complex.phase_at(cw))) {
             visit(complex.vertex(next(c)));

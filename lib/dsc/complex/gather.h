@@ -32,7 +32,7 @@ struct Ring {
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
     // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
-    // is the last vertex of an open one. Spoke 0 of an open ring has no predecessor: its
+    // is the last vertex of an open one. IncidentEdge 0 of an open ring has no predecessor: its
     // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored rather than shuffled:
     // a vector load that spans two recent stores has to wait for both.
     alignas(64) std::array<Real, room> x;          ///< link vertex i
@@ -53,46 +53,47 @@ struct Ring {
     [[nodiscard]] Real link_x(std::uint32_t i) const { return i < size ? x[i] : x_next[size - 1]; }
     /// The y coordinate of link vertex i; also of the last one of an open star.
     [[nodiscard]] Real link_y(std::uint32_t i) const { return i < size ? y[i] : y_next[size - 1]; }
-    /// The squared length of spoke i.
-    [[nodiscard]] Real squared_spoke(std::uint32_t i) const {
+    /// The squared length of incident edge i.
+    [[nodiscard]] Real squared_edge(std::uint32_t i) const {
         const Real dx = link_x(i) - x0;
         const Real dy = link_y(i) - y0;
         return dx * dx + dy * dy;
     }
-    /// The phase between link vertex i - 1 and i (that is, clockwise of spoke i).
+    /// The phase between link vertex i - 1 and i (that is, clockwise of incident edge i).
     [[nodiscard]] Phase phase_before(std::uint32_t i) const {
         return i > 0 ? phase[i - 1] : (closed ? phase[size - 1] : border_phase);
     }
-    /// The phase between link vertex i and i + 1 (counter-clockwise of spoke i).
+    /// The phase between link vertex i and i + 1 (counter-clockwise of incident edge i).
     [[nodiscard]] Phase phase_after(std::uint32_t i) const {
         return i < size ? phase[i] : border_phase;
     }
-    /// Spoke i separates two phases, or the domain from the outside.
+    /// IncidentEdge i separates two phases, or the domain from the outside.
     [[nodiscard]] bool is_constrained(std::uint32_t i) const {
         return phase_before(i) != phase_after(i);
     }
 };
 
-/// The interface spokes of a ring; more than two make a junction.
-struct Spokes {
-    std::uint32_t count = 0;  ///< how many there are
-    std::uint32_t first = 0;  ///< counter-clockwise from the ring's first spoke; if count > 0
+/// The incident interface edges of a ring; more than two make a junction.
+struct IncidentEdges {
+    std::uint32_t count = 0; ///< how many there are
+    std::uint32_t first =
+        0; ///< counter-clockwise from the ring's first incident edge; if count > 0
     std::uint32_t second = 0; ///< the last one where there are more than two; if count > 1
 
-    /// Of two spokes, the one that is not `spoke`.
-    [[nodiscard]] std::uint32_t other(std::uint32_t spoke) const {
-        return first == spoke ? second : first;
+    /// Of two incident edges, the one that is not `incident_edge`.
+    [[nodiscard]] std::uint32_t other(std::uint32_t incident_edge) const {
+        return first == incident_edge ? second : first;
     }
 };
 
-/// The spokes whose two sides differ in phase. O(degree).
+/// The incident edges whose two sides differ in phase. O(degree).
 template <class Real>
-Spokes interface_spokes(const Ring<Real>& ring) {
-    Spokes spokes;
+IncidentEdges interface_edges_of(const Ring<Real>& ring) {
+    IncidentEdges incident;
     if (ring.closed) {
         const std::uint64_t rest = ring.changes & (ring.changes - 1);
         if (rest == 0) {
-            return spokes; // round a closed star the phase changes twice, or not at all
+            return incident; // round a closed star the phase changes twice, or not at all
         }
         if ((rest & (rest - 1)) == 0) {
             return {2, static_cast<std::uint32_t>(std::countr_zero(ring.changes)),
@@ -104,12 +105,12 @@ Spokes interface_spokes(const Ring<Real>& ring) {
     for (std::uint32_t i = 0; i < n; ++i) {
         const Phase after = ring.phase_after(i);
         if (before != after && is_interface_pair(before, after)) {
-            (spokes.count == 0 ? spokes.first : spokes.second) = i;
-            ++spokes.count;
+            (incident.count == 0 ? incident.first : incident.second) = i;
+            ++incident.count;
         }
         before = after;
     }
-    return spokes;
+    return incident;
 }
 
 /// Where link vertex i is; also the last one of an open star.

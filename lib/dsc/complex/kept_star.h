@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stars that are kept from the interface upkeep to the movement. As long as no edit has changed it,
-// such a star is gathered again without a walk from triangle to triangle, and its neighbours on the
-// interface are known.
+// Stars that are kept from the interface remeshing to the movement. As long as no edit has changed
+// it, such a star is gathered again without a walk from triangle to triangle, and its neighbours on
+// the interface are known.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,15 +14,15 @@
 
 namespace dsc {
 
-/// A closed star of at most eight triangles as the interface upkeep has left it.
+/// A closed star of at most eight triangles as the interface remeshing has left it.
 struct KeptStar {
     static constexpr std::uint32_t capacity = 8; ///< the largest degree that fits
 
     std::uint32_t vertex = no_id; ///< the centre
     std::uint32_t size = 0;       ///< triangles of the star
     std::uint32_t stamp = 0;      ///< of the centre, at that time
-    Spokes spokes;                ///< those of the interface
-    Phase left = border_phase;    ///< of the first of these spokes, seen from the centre
+    IncidentEdges incident;       ///< those of the interface
+    Phase left = border_phase;    ///< of the first of these incident edges, seen from the centre
     Phase right = border_phase;   ///< of the same one
     std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
 
@@ -48,13 +48,14 @@ bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptSta
 
 /// Keeps a closed star that has room. O(1).
 template <class Real>
-KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring,
+                   const IncidentEdges& incident) {
     KeptStar kept{.vertex = ring.vertex,
                   .size = ring.size,
                   .stamp = complex.vertices[ring.vertex].stamp,
-                  .spokes = spokes,
-                  .left = ring.phase_after(spokes.first),
-                  .right = ring.phase_before(spokes.first),
+                  .incident = incident,
+                  .left = ring.phase_after(incident.first),
+                  .right = ring.phase_before(incident.first),
                   .link = {}};
     for (std::uint32_t i = 0; i < KeptStar::capacity; ++i) {
         kept.link[i] = ring.link[i < ring.size ? i : 0];

@@ -125,11 +125,12 @@ struct SubStepProfile {
     double hand_over = 0; ///< vertices that left their submesh
     double clean_up = 0;  ///< what all colours left, and updating the lists
     // By task.
-    std::vector<double> aim;  ///< upkeep, velocities and targets: the first colour's submeshes
+    std::vector<double>
+        targets;              ///< remeshing, velocities and targets: the first colour's submeshes
     std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
     // Wall time of the two parallel sections.
-    double aim_wall = 0;  ///< upkeep, velocities and targets
-    double move_wall = 0; ///< movement and mesh update
+    double targets_wall = 0; ///< remeshing, velocities and targets
+    double move_wall = 0;    ///< movement and mesh update
 };
 
 /// What threads have done since the executor was made, in seconds of a steady clock.

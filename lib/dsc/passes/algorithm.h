@@ -20,7 +20,7 @@ namespace dsc {
 
 /// A vertex that is moving to its target.
 template <class Real>
-struct Mover {
+struct MovingVertex {
     std::uint32_t vertex; ///< its id
     Real x;               ///< target
     Real y;
@@ -29,9 +29,9 @@ struct Mover {
 
 /// What is left to be done.
 enum class DeferredKind : std::uint8_t {
-    star,    ///< a star that must be looked at
-    mover,   ///< a vertex that has yet to reach its target
-    upkeep,  ///< an interface vertex at which the interface may have to be split or collapsed
+    star,          ///< a star that must be looked at
+    moving_vertex, ///< a vertex that has yet to reach its target
+    remeshing,     ///< an interface vertex at which the interface may have to be split or collapsed
     listing, ///< an interface vertex that lies in another submesh now, whose list it belongs to
 };
 
@@ -43,30 +43,31 @@ struct Deferred {
 
     std::uint32_t vertex;          ///< the vertex concerned
     std::uint32_t route = nowhere; ///< number of the submesh that takes it
-    Real x = 0;                    ///< target of a mover
+    Real x = 0;                    ///< target of a moving_vertex
     Real y = 0;
     DeferredKind kind; ///< what is to be done there
 
-    /// The vertex and its target; only of the kind `mover`.
-    [[nodiscard]] Mover<Real> mover() const { return {vertex, x, y}; }
+    /// The vertex and its target; only of the kind `moving_vertex`.
+    [[nodiscard]] MovingVertex<Real> moving_vertex() const { return {vertex, x, y}; }
 };
 
 /// Not safe for several threads: each submesh has one of its own, and others read it when the
 /// submesh has ended.
 template <class Real>
 struct DeferredQueue {
-    std::vector<Deferred<Real>> entries; ///< in the order in which they were put off
+    std::vector<Deferred<Real>> entries; ///< in the order in which they were deferred
     std::size_t routed = 0;              ///< entries before this one have their route
 
     /// Puts off a look at the star of `v`. Amortised O(1), as are the next three.
     void star(std::uint32_t v) { put(v, DeferredKind::star); }
-    /// Puts off the interface upkeep at `v`.
-    void upkeep(std::uint32_t v) { put(v, DeferredKind::upkeep); }
+    /// Puts off the interface remeshing at `v`.
+    void remeshing(std::uint32_t v) { put(v, DeferredKind::remeshing); }
     /// Leaves `v` to the interface list of the submesh that owns it now.
     void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
     /// Puts off a movement.
-    void mover(const Mover<Real>& m) {
-        entries.push_back({.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::mover});
+    void moving_vertex(const MovingVertex<Real>& m) {
+        entries.push_back(
+            {.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::moving_vertex});
     }
     /// Empties the queue and keeps its memory.
     void clear() {
@@ -80,7 +81,7 @@ private:
 
 /// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
 template <class Real>
-struct Aim {
+struct Trajectory {
     std::vector<Point<Real>> positions; ///< now
     std::vector<Point<Real>> targets;   ///< at the end of the sub-step
     std::vector<std::uint8_t> held;     ///< not 0: the velocity is not finite, the vertex stays
@@ -108,10 +109,11 @@ struct Work : Unmovable {
     Submesh<Real> submesh;        ///< notes in `log`
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
-    Aim<Real> aim;                        ///< of the interface vertices
-    std::vector<Mover<Real>> movers;      ///< vertices that have not reached their target yet
-    /// Stars that the interface upkeep has left as they are, in the order of `interface`: movement
-    /// need not walk round them again. Of no use once a pass of motion has been run.
+    Trajectory<Real> trajectory;          ///< of the interface vertices
+    std::vector<MovingVertex<Real>>
+        moving_vertices; ///< vertices that have not reached their target yet
+    /// Stars that the interface remeshing has left as they are, in the order of `interface`:
+    /// movement need not walk round them again. Of no use once a pass of motion has been run.
     std::vector<KeptStar> stars;
     std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
@@ -131,16 +133,17 @@ struct Work : Unmovable {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    /// The executor's passes of upkeep: those with a `watch` are shown stars by the first one.
-    std::span<const Pass<Real>> upkeep;
+    /// The executor's passes of remeshing: those with a `watch` are shown stars by the first one.
+    std::span<const Pass<Real>> remeshing;
 
-    std::size_t progressed = 0; ///< movers that made any progress in the last movement pass
-    std::size_t arrived = 0;    ///< movers of these that reached their targets
+    std::size_t progressed =
+        0;                   ///< moving_vertices that made any progress in the last movement pass
+    std::size_t arrived = 0; ///< moving_vertices of these that reached their targets
 
     // Scratch, kept so that nothing is allocated from step to step.
     Ring<Real> ring;                           ///< the star under examination
     Ring<Real> other_ring;                     ///< and a second one
-    std::vector<Corner> suspects;              ///< edges to be tested for the Delaunay condition
+    std::vector<Corner> candidates;            ///< edges to be tested for the Delaunay condition
     std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
     std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
 
@@ -168,12 +171,13 @@ void archive(Archive& archive, Work<Real>& work) {
     }
 }
 
-/// Shown each star of an interface vertex that the interface upkeep has gathered, that the submesh
-/// owns as a whole, and that is left as it is: a pass need not gather it again then. The centre of
-/// a star that changes later in the upkeep is in the active set. Must not edit the complex.
+/// Shown each star of an interface vertex that the interface remeshing has gathered, that the
+/// submesh owns as a whole, and that is left as it is: a pass need not gather it again then. The
+/// centre of a star that changes later in the remeshing is in the active set. Must not edit the
+/// complex.
 template <class Real>
 using StarWatch =
-    std::function<void(Work<Real>& work, const Ring<Real>& ring, const Spokes& spokes)>;
+    std::function<void(Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident)>;
 
 /// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
 /// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must
@@ -186,44 +190,44 @@ struct Pass {
     /// True for a pass that keeps the active set and the interface list up to date itself, with the
     /// functions of edits.h; its log is then not read.
     bool attends = false;
-    /// Of a pass that comes after the interface upkeep.
+    /// Of a pass that comes after the interface remeshing.
     StarWatch<Real> watch = {};
 };
 
 /// The passes of a step, in their order.
 template <class Real>
 struct Algorithm {
-    std::vector<Pass<Real>> upkeep; ///< once a sub-step, before anything moves
-    std::vector<Pass<Real>> motion; ///< repeated until all vertices have arrived
+    std::vector<Pass<Real>> remeshing; ///< once a sub-step, before anything moves
+    std::vector<Pass<Real>> motion;    ///< repeated until all vertices have arrived
 };
 
 // --- the passes of the default ------------------------------------------------------------------
 
-/// Interface upkeep (algorithm 5.1 of the thesis, lines 6 and 7), with all vertices at the same
+/// Interface remeshing (algorithm 5.1 of the thesis, lines 6 and 7), with all vertices at the same
 /// time level, before anything moves. Splits interface edges that are too long, with the
 /// interpolator of the options; collapses interface vertices at short edges if the curve stays in
 /// place. Rewrites `work.interface`; if a submesh may not do what is needed, the vertex stays in
 /// the list and is deferred as well. O(interface vertices of the submesh).
 template <class Real>
-void upkeep_interface(Work<Real>& work);
+void remesh_interface(Work<Real>& work);
 
-/// Movement (line 5): moves every mover once, as far as possible. Those that arrive leave
-/// `work.movers`; all that moved activate their star. O(movers).
+/// Movement (line 5): moves every moving_vertex once, as far as possible. Those that arrive leave
+/// `work.moving_vertices`; all that moved activate their star. O(moving_vertices).
 template <class Real>
 void move_vertices(Work<Real>& work);
 
 /// The mesh update (lines 9 to 20; algorithm 5.2) on the active set: only vertices whose star
-/// changed are visited. For each: Delaunay flips of its spokes, then coarsening by collapse,
-/// smoothing or refinement, whichever the thresholds of its phase require. Empties `work.active`;
-/// stars that a submesh may not touch are deferred. O(active).
+/// changed are visited. For each: Delaunay flips of its incident edges, then coarsening by
+/// collapse, smoothing or refinement, whichever the thresholds of its phase require. Empties
+/// `work.active`; stars that a submesh may not touch are deferred. O(active).
 template <class Real>
 void update_mesh(Work<Real>& work);
 
-/// The default: interface upkeep; movement, then the mesh update on the active set.
+/// The default: interface remeshing; movement, then the mesh update on the active set.
 template <class Real>
 Algorithm<Real> default_algorithm() {
     Algorithm<Real> algorithm;
-    algorithm.upkeep.push_back({"interface upkeep", &upkeep_interface<Real>, true});
+    algorithm.remeshing.push_back({"interface remeshing", &remesh_interface<Real>, true});
     algorithm.motion.push_back({"movement", &move_vertices<Real>, true});
     algorithm.motion.push_back({"mesh update", &update_mesh<Real>, true});
     return algorithm;

@@ -80,7 +80,7 @@ SplitResult split(Work<Real>& work, Corner corner, const Point<Real>& point, Wak
 }
 
 /// Whether an edit refused with this verdict is left to another submesh or to a later colour.
-constexpr bool is_put_off(Verdict verdict) {
+constexpr bool is_deferred(Verdict verdict) {
     return verdict == Verdict::out_of_ids || verdict == Verdict::on_submesh_boundary;
 }
 

@@ -36,11 +36,11 @@ void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
 // Leaves a vertex that the submesh owns to another colour, and notes in its record which entry of
 // the queue is its own.
 template <class Real>
-void defer(Work<Real>& work, const Mover<Real>& mover) {
-    auto& record = work.complex.vertices[mover.vertex];
+void defer(Work<Real>& work, const MovingVertex<Real>& moving_vertex) {
+    auto& record = work.complex.vertices[moving_vertex.vertex];
     record.flags |= vertex_on_way;
     record.slot = static_cast<std::uint32_t>(work.deferred.entries.size());
-    work.deferred.mover(mover);
+    work.deferred.moving_vertex(moving_vertex);
 }
 
 // Whether an owned vertex has been left to another colour. The slot may be stale: the entry there
@@ -50,7 +50,7 @@ bool is_deferred(const Work<Real>& work, std::uint32_t vertex) {
     const auto& entries = work.deferred.entries;
     const std::uint32_t slot = work.complex.vertices[vertex].slot;
     return slot < entries.size() && entries[slot].vertex == vertex &&
-           entries[slot].kind == DeferredKind::mover;
+           entries[slot].kind == DeferredKind::moving_vertex;
 }
 
 // Whether a neighbour on the way to (x, y) has been left to another submesh. Whoever comes near it
@@ -72,13 +72,13 @@ bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Re
 }
 
 template <class Real>
-bool gather_mover(Work<Real>& work, const Mover<Real>& mover) {
+bool gather_moving_vertex(Work<Real>& work, const MovingVertex<Real>& moving_vertex) {
     const Region& region = work.submesh.region;
-    if (mover.star < work.stars.size()) {
-        gather_kept(work.complex, region, work.stars[mover.star], work.ring);
+    if (moving_vertex.star < work.stars.size()) {
+        gather_kept(work.complex, region, work.stars[moving_vertex.star], work.ring);
         return true;
     }
-    return gather(work.complex, region, mover.vertex, work.ring);
+    return gather(work.complex, region, moving_vertex.vertex, work.ring);
 }
 
 } // namespace
@@ -88,52 +88,53 @@ void move_vertices(Work<Real>& work) {
     work.progressed = 0;
     work.arrived = 0;
     std::size_t kept = 0;
-    for (const Mover<Real>& mover : work.movers) {
+    for (const MovingVertex<Real>& moving_vertex : work.moving_vertices) {
         Ring<Real>& ring = work.ring;
-        const bool gathered = gather_mover(work, mover);
-        auto& flags = work.complex.vertices[mover.vertex].flags;
+        const bool gathered = gather_moving_vertex(work, moving_vertex);
+        auto& flags = work.complex.vertices[moving_vertex.vertex].flags;
         if (!ring.owned) {
             if (gathered) {
-                defer(work, mover);
+                defer(work, moving_vertex);
             } else { // it belongs to another submesh
-                work.deferred.mover(mover);
+                work.deferred.moving_vertex(moving_vertex);
             }
             continue;
         }
         if (!gathered) {
-            work.movers[kept++] = {mover.vertex, mover.x, mover.y};
+            work.moving_vertices[kept++] = {moving_vertex.vertex, moving_vertex.x, moving_vertex.y};
             continue;
         }
-        Real x = mover.x;
-        Real y = mover.y;
+        Real x = moving_vertex.x;
+        Real y = moving_vertex.y;
         if (!ring.closed) {
             stay_on_boundary(ring, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // It would leave the submesh, where the next colour looks for what was postponed.
-            defer(work, mover);
+            defer(work, moving_vertex);
             continue;
         }
         const MoveOutcome outcome = move_vertex(work.submesh, ring, x, y);
         if (outcome != MoveOutcome::blocked) {
             ++work.progressed;
         }
-        work.activate(mover.vertex);
+        work.activate(moving_vertex.vertex);
         activate_link(work, ring);
         constexpr std::uint32_t late = vertex_contact | vertex_on_way;
         work.arrived += outcome == MoveOutcome::reached ? 1 : 0;
         if (outcome != MoveOutcome::reached) {
             if (!work.submesh.region.is_whole() && follows_deferred(work, ring, x, y)) {
-                defer(work, mover);
+                defer(work, moving_vertex);
             } else {
                 flags |= vertex_on_way;
-                work.movers[kept++] = {mover.vertex, mover.x, mover.y};
+                work.moving_vertices[kept++] = {moving_vertex.vertex, moving_vertex.x,
+                                                moving_vertex.y};
             }
         } else if ((flags & late) != 0) {
             flags &= ~late;
         }
     }
-    work.movers.resize(kept);
+    work.moving_vertices.resize(kept);
 }
 
 template void move_vertices(Work<double>&);

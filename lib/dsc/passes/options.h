@@ -19,10 +19,10 @@ namespace dsc {
 struct PhaseThresholds {
     double collapse_quality = 0.35; ///< below: collapse a vertex, if that raises the worst quality
     double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
-    double longest = 1.6;           ///< spokes longer than this times the edge length are split
-    double shortest = 0.4; ///< spokes shorter than this times the edge length are collapsed
-    /// Vertices all of whose spokes are shorter than this times the edge length may be collapsed
-    /// too: they remain from places where the mesh was finer.
+    double longest = 1.6;  ///< incident edges longer than this times the edge length are split
+    double shortest = 0.4; ///< incident edges shorter than this times the edge length are collapsed
+    /// Vertices all of whose incident edges are shorter than this times the edge length may be
+    /// collapsed too: they remain from places where the mesh was finer.
     double crowded = 0.9;
 };
 

@@ -70,8 +70,8 @@ void wake_edit(Work<Real>& work, const Edit& edit) {
     }
 }
 
-// A mover knows its vertex by the id, which may be in use again after the pass. O(edits + movers
-// log edits).
+// A moving_vertex knows its vertex by the id, which may be in use again after the pass. O(edits +
+// moving_vertices log edits).
 template <class Real>
 void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
     std::vector<std::uint32_t>& gone = work.changed;
@@ -82,8 +82,8 @@ void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
         }
     }
     std::ranges::sort(gone);
-    std::erase_if(work.movers, [&](const Mover<Real>& mover) {
-        return std::ranges::binary_search(gone, mover.vertex);
+    std::erase_if(work.moving_vertices, [&](const MovingVertex<Real>& moving_vertex) {
+        return std::ranges::binary_search(gone, moving_vertex.vertex);
     });
 }
 

@@ -29,7 +29,7 @@ struct WaitingRule {
 /// because a star around it waits, never would. O(attributes).
 template <class Real>
 WaitingRule waiting_rule(const Work<Real>& work) {
-    if (work.arrived == 0 && !work.movers.empty()) {
+    if (work.arrived == 0 && !work.moving_vertices.empty()) {
         return {};
     }
     return {!work.options.carried_phases.empty(), work.complex.attributes.has_fields()};
@@ -59,7 +59,7 @@ bool waits_around(const Work<Real>& work, const WaitingRule& rule, Corner c) {
 
 /// Leaves a star to a later colour; alone on the complex, to the next pass.
 template <class Real>
-void put_off(Work<Real>& work, std::uint32_t vertex) {
+void deferred(Work<Real>& work, std::uint32_t vertex) {
     if (work.submesh.region.is_whole()) {
         work.resized.push_back(vertex);
     } else {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Upkeep along the domain boundary (thesis, section 8.3). Where an interface slides along a wall,
-// the wall's edges ahead of it become short and those behind it long: vertices inside one phase are
-// collapsed along the wall, and edges are split at their midpoints, so that the domain keeps its
-// shape. Walls of the exterior phase belong to the mesh update, those of any other phase to the
-// interface (figure 8.3) and its upkeep.
+// Remeshing along the domain boundary (thesis, section 8.3). Where an interface slides along a
+// wall, the wall's edges ahead of it become short and those behind it long: vertices inside one
+// phase are collapsed along the wall, and edges are split at their midpoints, so that the domain
+// keeps its shape. Walls of the exterior phase belong to the mesh update, those of any other phase
+// to the interface (figure 8.3) and its remeshing.
 #pragma once
 
 #include "dsc/passes/edits.h"
@@ -15,7 +15,7 @@ namespace dsc {
 
 /// What counts as long and short along a wall, squared; and the quality that a collapse must leave.
 template <class Real>
-struct WallLimits {
+struct BoundaryLimits {
     Real longest = 0;
     Real shortest = 0;
     Real least_quality = 0; ///< equation 4, not squared
@@ -24,25 +24,25 @@ struct WallLimits {
     Real blocking = 0;
 };
 
-/// One of the two spokes of an open ring that lie on the domain boundary.
+/// One of the two incident edges of an open ring that lie on the domain boundary.
 template <class Real>
-struct WallSpoke {
+struct BoundaryEdge {
     std::uint32_t link = 0; ///< index in the ring
     Corner corner = 0;      ///< opposite to the edge
     rewire::Vanishing end;  ///< the end at which the centre is
     Real squared = 0;       ///< length
 };
 
-/// The spoke that has the domain on its left as seen from the centre, or the other one. The ring
-/// must be open.
+/// The incident edge that has the domain on its left as seen from the centre, or the other one. The
+/// ring must be open.
 template <class Real>
-WallSpoke<Real> wall_spoke(const Ring<Real>& ring, bool is_first) {
-    WallSpoke<Real> spoke;
-    spoke.link = is_first ? 0 : ring.size;
-    spoke.corner = is_first ? prev(ring.corner[0]) : next(ring.corner[ring.size - 1]);
-    spoke.end = is_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
-    spoke.squared = ring.squared_spoke(spoke.link);
-    return spoke;
+BoundaryEdge<Real> boundary_edge(const Ring<Real>& ring, bool is_first) {
+    BoundaryEdge<Real> incident_edge;
+    incident_edge.link = is_first ? 0 : ring.size;
+    incident_edge.corner = is_first ? prev(ring.corner[0]) : next(ring.corner[ring.size - 1]);
+    incident_edge.end = is_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
+    incident_edge.squared = ring.squared_edge(incident_edge.link);
+    return incident_edge;
 }
 
 /// The squared length of the edge that is left on the wall if the centre goes.
@@ -56,12 +56,13 @@ Real merged_on_wall(const Ring<Real>& ring) {
 /// Whether the centre, inside one phase on the wall, may be collapsed because of a short edge
 /// there, or, if `is_poor`, for another reason.
 template <class Real>
-bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& limits,
+bool should_collapse_on_wall(const Ring<Real>& ring, const BoundaryLimits<Real>& limits,
                              bool is_poor = false) {
     if (ring.closed || !ring.one_phase) {
         return false;
     }
-    const Real shorter = std::min(wall_spoke(ring, true).squared, wall_spoke(ring, false).squared);
+    const Real shorter =
+        std::min(boundary_edge(ring, true).squared, boundary_edge(ring, false).squared);
     return shorter < limits.blocking ||
            ((is_poor || shorter < limits.shortest) && merged_on_wall(ring) < limits.longest);
 }
@@ -70,9 +71,9 @@ bool should_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& lim
 /// the other one. The same limits on the whole wall need only the first: an edge is found from one
 /// end. Where limits differ from place to place, an edge is too long if it is for either end.
 template <class Real>
-bool should_split_wall(const Ring<Real>& ring, const WallLimits<Real>& limits,
+bool should_split_wall(const Ring<Real>& ring, const BoundaryLimits<Real>& limits,
                        bool is_first = true) {
-    return !ring.closed && wall_spoke(ring, is_first).squared > limits.longest;
+    return !ring.closed && boundary_edge(ring, is_first).squared > limits.longest;
 }
 
 /// The worst quality of the centre's triangles with link vertex i, a neighbour on the wall, in its
@@ -91,15 +92,17 @@ Real quality_after_wall_collapse(const Ring<Real>& ring, std::uint32_t i) {
 /// Collapses the centre into the neighbour on the wall that leaves the better triangles, if they
 /// are not below `least_quality`, and activates the link. The guard keeps corners of the domain.
 template <class Real>
-bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits<Real>& limits) {
+bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring,
+                      const BoundaryLimits<Real>& limits) {
     const Real first = quality_after_wall_collapse(ring, 0);
     const Real last = quality_after_wall_collapse(ring, ring.size);
     for (const bool is_first : {first >= last, first < last}) {
         if ((is_first ? first : last) < limits.least_quality) {
             return false; // the other one is worse
         }
-        const WallSpoke<Real> spoke = wall_spoke(ring, is_first);
-        if (collapse_centre(work, ring, spoke.corner, spoke.end) == Verdict::legal) {
+        const BoundaryEdge<Real> incident_edge = boundary_edge(ring, is_first);
+        if (collapse_centre(work, ring, incident_edge.corner, incident_edge.end) ==
+            Verdict::legal) {
             return true;
         }
     }
@@ -112,9 +115,9 @@ bool collapse_on_wall(Work<Real>& work, const Ring<Real>& ring, const WallLimits
 /// to do it.
 template <class Real>
 SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring, bool is_first = true) {
-    const WallSpoke<Real> spoke = wall_spoke(ring, is_first);
+    const BoundaryEdge<Real> incident_edge = boundary_edge(ring, is_first);
     const Point<Real> from(ring.x0, ring.y0);
-    const Point<Real> to(ring.link_x(spoke.link), ring.link_y(spoke.link));
+    const Point<Real> to(ring.link_x(incident_edge.link), ring.link_y(incident_edge.link));
     const Point<Real> middle = midpoint<Real>(from, to);
     if (orientation<Real>(from, middle, to) != 0) {
         return {Verdict::on_boundary, {}};
@@ -122,7 +125,7 @@ SplitResult split_wall(Work<Real>& work, const Ring<Real>& ring, bool is_first =
     if (!owns_place(work.submesh.region, middle)) {
         return {Verdict::on_submesh_boundary, {}};
     }
-    return split(work, spoke.corner, middle, Wake::all);
+    return split(work, incident_edge.corner, middle, Wake::all);
 }
 
 } // namespace dsc

@@ -133,33 +133,34 @@ bool all_positive(const Ring<Real>& ring, Real px, Real py) {
 /// The figures of a star that a mesh update needs, computed in one loop.
 template <class Real>
 struct StarReport {
-    Real delaunay; ///< below 0: a spoke fails the Delaunay test by more than the slack
-    Real longest;  ///< squared length of the longest spoke
-    Real shortest; ///< squared length of the shortest spoke
+    Real delaunay; ///< below 0: an incident edge fails the Delaunay test by more than the slack
+    Real longest;  ///< squared length of the longest incident edge
+    Real shortest; ///< squared length of the shortest incident edge
     Real quality;  ///< as `worst_quality_squared`
 };
 
-/// The Delaunay margin of a spoke from its end and the two next to it in the link, relative to the
-/// centre: the angles opposite to the spoke lie at the previous and at the next vertex.
+/// The Delaunay margin of an incident edge from its end and the two next to it in the link,
+/// relative to the centre: the angles opposite to the incident edge lie at the previous and at the
+/// next vertex.
 template <class Real>
-[[nodiscard]] Real spoke_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
-                                Real y_previous) {
+[[nodiscard]] Real incident_edge_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
+                                        Real y_previous) {
     return delaunay_margin<Real>(x * y_next - y * x_next,
                                  x_next * (x_next - x) + y_next * (y_next - y),
                                  x_previous * y - y_previous * x,
                                  -(x_previous * (x - x_previous) + y_previous * (y - y_previous)));
 }
 
-/// The Delaunay margin of each spoke of a star, as `delaunay_margin`: below 0 where a spoke fails
-/// the test by more than the slack. Spoke 0 of an open ring never fails.
+/// The Delaunay margin of each incident edge of a star, as `delaunay_margin`: below 0 where an
+/// incident edge fails the test by more than the slack. IncidentEdge 0 of an open ring never fails.
 template <class Real>
-using SpokeMargins = std::array<Real, Ring<Real>::room>;
+using IncidentEdgeMargins = std::array<Real, Ring<Real>::room>;
 
-/// Examines the star: Delaunay test of the spokes (the angles opposite to one add up to at most pi;
-/// constrained spokes are treated like others), their lengths, the worst quality. Also writes the
-/// margin of each spoke. O(degree).
+/// Examines the star: Delaunay test of the incident edges (the angles opposite to one add up to at
+/// most pi; constrained incident edges are treated like others), their lengths, the worst quality.
+/// Also writes the margin of each incident edge. O(degree).
 template <class Real>
-StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
+StarReport<Real> examine(const Ring<Real>& ring, IncidentEdgeMargins<Real>& margins) {
     constexpr Real most = std::numeric_limits<Real>::max();
     Real delaunay = 0;
     Real longest = 0;
@@ -176,7 +177,7 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
         const Real by = ring.y_next[i] - py;
         const Real ex = ring.x_previous[i] - px;
         const Real ey = ring.y_previous[i] - py;
-        const Real found = spoke_margin<Real>(ax, ay, bx, by, ex, ey);
+        const Real found = incident_edge_margin<Real>(ax, ay, bx, by, ex, ey);
         margins[i] = found;
         delaunay = std::min(delaunay, found);
         const Real aa = ax * ax + ay * ay;
@@ -185,7 +186,7 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
         worst = std::min(worst, sine_squared_of_lanes<Real>(ax, ay, bx, by));
     }
     if (!ring.closed) {
-        const Real last = ring.squared_spoke(ring.size);
+        const Real last = ring.squared_edge(ring.size);
         longest = std::max(longest, last);
         shortest = std::min(shortest, last);
     }
@@ -195,7 +196,7 @@ StarReport<Real> examine(const Ring<Real>& ring, SpokeMargins<Real>& margins) {
 /// The same without the margins.
 template <class Real>
 StarReport<Real> examine(const Ring<Real>& ring) {
-    SpokeMargins<Real> margins;
+    IncidentEdgeMargins<Real> margins;
     return examine(ring, margins);
 }
 

@@ -21,8 +21,8 @@ Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>&
                          least_between<Real>(ax, ay, values.at[i], bx, by, values.next[i], slope));
     }
     if (!ring.closed) {
-        least = std::min(least,
-                         values.at[ring.size] + slope * std::sqrt(ring.squared_spoke(ring.size)));
+        least =
+            std::min(least, values.at[ring.size] + slope * std::sqrt(ring.squared_edge(ring.size)));
     }
     return least;
 }

@@ -151,9 +151,9 @@ public:
             const Real by = ring.y_next[i] - ring.y0;
             const Real ex = bx - ax;
             const Real ey = by - ay;
-            const Real spoke = slope_ * slope_ * (ax * ax + ay * ay);
+            const Real incident_edge = slope_ * slope_ * (ax * ax + ay * ay);
             const Real room = most - here;
-            is_low_enough |= spoke <= room * std::abs(room);
+            is_low_enough |= incident_edge <= room * std::abs(room);
             // Nothing on the edge is lower than its lower end, or nearer than the line through it.
             const Real across = slope_ * (ax * by - ay * bx);
             const Real lack = least - std::min(here, next);

@@ -76,7 +76,7 @@ private:
         for (std::uint32_t i = 0; i < n; ++i) {
             const Real ax = ring_.x0 - ring_.link_x(i);
             const Real ay = ring_.y0 - ring_.link_y(i);
-            Real value = values_[v] + slope_ * std::sqrt(ring_.squared_spoke(i));
+            Real value = values_[v] + slope_ * std::sqrt(ring_.squared_edge(i));
             const auto across = [&](std::uint32_t j) {
                 value = std::min(value, least_between<Real>(ax, ay, values_[v],
                                                             ring_.link_x(j) - ring_.link_x(i),

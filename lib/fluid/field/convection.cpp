@@ -68,8 +68,8 @@ Point<double> last_velocity(const FluidPast& past, const Point<double>& at, doub
     return reader.one(at - (time - past.one->time) * reader.one(at));
 }
 
-std::array<Point<double>, 7> past_accelerations(const FrozenMesh& mesh,
-                                                const FrozenTriangle& triangle,
+std::array<Point<double>, 7> past_accelerations(const MeshSnapshot& mesh,
+                                                const SnapshotTriangle& triangle,
                                                 const FluidPast& past, double time) {
     const BackwardDifference difference = backward_difference(past, time);
     const double dt = time - past.one->time;

@@ -4,7 +4,7 @@
 // the backward difference of second order.
 #pragma once
 
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 
 namespace dsc {
 
@@ -37,8 +37,8 @@ struct BackwardDifference {
 
 /// What the past contributes to the derivative at the points of `points_of_degree_5` of a triangle
 /// of `mesh`: one * u(one's time) + two * u(two's time). O(1) if the searches are short.
-[[nodiscard]] std::array<Point<double>, 7> past_accelerations(const FrozenMesh& mesh,
-                                                              const FrozenTriangle& triangle,
+[[nodiscard]] std::array<Point<double>, 7> past_accelerations(const MeshSnapshot& mesh,
+                                                              const SnapshotTriangle& triangle,
                                                               const FluidPast& past, double time);
 
 } // namespace dsc

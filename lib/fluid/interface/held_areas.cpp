@@ -110,9 +110,9 @@ Eigen::VectorXd distances_for(const InterfaceView<double>& view,
 
 } // namespace
 
-std::vector<PhaseArea> phase_areas(const FrozenMesh& mesh) {
+std::vector<PhaseArea> phase_areas(const MeshSnapshot& mesh) {
     std::map<Phase, double> sums;
-    for (const FrozenTriangle& t : mesh.triangles) {
+    for (const SnapshotTriangle& t : mesh.triangles) {
         sums[t.phase] += area(mesh, t);
     }
     sums.erase(exterior_phase);

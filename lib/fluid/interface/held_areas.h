@@ -2,7 +2,7 @@
 // Holds the areas of phases: what the motion of the interface loses is brought back at once.
 #pragma once
 
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 
 namespace dsc {
 
@@ -13,7 +13,7 @@ struct PhaseArea {
 };
 
 /// The areas of all phases but the exterior one, ascending by phase. O(n).
-[[nodiscard]] std::vector<PhaseArea> phase_areas(const FrozenMesh& mesh);
+[[nodiscard]] std::vector<PhaseArea> phase_areas(const MeshSnapshot& mesh);
 
 /// Moves targets along the normals of their curves so that the phases have these areas: each curve
 /// at one distance, the difference of a number for the phase on its left and of one for that on its

@@ -102,15 +102,15 @@ Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
     return solution;
 }
 
-FluidField field_of(FrozenMesh mesh, const FluidNumbering& numbers, const Eigen::VectorXd& unknowns,
-                    double time) {
+FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
+                    const Eigen::VectorXd& unknowns, double time) {
     FluidField field{.mesh = std::move(mesh), .time = time};
     const auto value = [&](int i) { return i == no_unknown ? 0.0 : unknowns[i]; };
     field.velocity.reserve(numbers.velocity.size());
     for (const auto& [x, y] : numbers.velocity) {
         field.velocity.emplace_back(value(x), value(y));
     }
-    for (const FrozenEdge& edge : field.mesh.interface) {
+    for (const SnapshotEdge& edge : field.mesh.interface) {
         field.velocity[edge.middle] = (field.velocity[edge.from] + field.velocity[edge.to]) / 2;
     }
     double sum = 0;

@@ -14,7 +14,7 @@ namespace dsc {
                                     SolveReport& report);
 
 /// Velocities and pressures from the unknowns.
-[[nodiscard]] FluidField field_of(FrozenMesh mesh, const FluidNumbering& numbers,
+[[nodiscard]] FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
                                   const Eigen::VectorXd& unknowns, double time);
 
 } // namespace dsc

@@ -12,7 +12,7 @@ namespace dsc {
 namespace {
 
 // The gradients of the barycentric coordinates, as columns.
-Eigen::Matrix<double, 2, 3> slopes_of(const FrozenMesh& mesh, const FrozenTriangle& t,
+Eigen::Matrix<double, 2, 3> slopes_of(const MeshSnapshot& mesh, const SnapshotTriangle& t,
                                       double area) {
     Eigen::Matrix<double, 2, 3> slopes;
     for (Eigen::Index i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ void tie_middle(FluidElement& element, Eigen::Index i) {
 }
 
 // Half of the tension of the edge opposite to vertex i: the triangle beyond it has the other half.
-void add_tension(FluidElement& element, const FrozenMesh& mesh, const FrozenTriangle& triangle,
+void add_tension(FluidElement& element, const MeshSnapshot& mesh, const SnapshotTriangle& triangle,
                  std::uint32_t i, const FluidOptions& options, const FluidPast& past, double time) {
     const std::uint32_t a = next_index(i);
     const std::uint32_t b = prev_index(i);
@@ -130,7 +130,7 @@ void add_tension(FluidElement& element, const FrozenMesh& mesh, const FrozenTria
     }
 }
 
-void number(FluidElement& element, const FluidNumbering& numbers, const FrozenTriangle& triangle,
+void number(FluidElement& element, const FluidNumbering& numbers, const SnapshotTriangle& triangle,
             const std::array<int, 3>& pressures) {
     for (std::size_t i = 0; i < 6; ++i) {
         element.unknowns[2 * i] = numbers.velocity[triangle.nodes[i]][0];
@@ -141,7 +141,7 @@ void number(FluidElement& element, const FluidNumbering& numbers, const FrozenTr
 
 // The walls pull the end of an interface along, so that the tensions are in balance at the angle
 // that is asked for (T. Young, "An essay on the cohesion of fluids", 1805).
-void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOptions& options) {
+void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOptions& options) {
     constexpr double radians = std::numbers::pi / 180;
     std::vector<std::uint32_t> behind(mesh.vertex_bound,
                                       no_id); // the triangle beyond a wall's edge
@@ -158,11 +158,11 @@ void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOption
         behind[mesh.triangles[t].nodes[from]] = t;
     });
     for_each_wall_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-        const FrozenTriangle& triangle = mesh.triangles[t];
+        const SnapshotTriangle& triangle = mesh.triangles[t];
         const std::uint32_t end = triangle.nodes[to];
         const Phase phase = triangle.phase;
         const Phase beyond = mesh.triangles[behind[end]].phase;
-        const bool do_meet = std::ranges::any_of(mesh.interface, [&](const FrozenEdge& edge) {
+        const bool do_meet = std::ranges::any_of(mesh.interface, [&](const SnapshotEdge& edge) {
             return (edge.from == end || edge.to == end) &&
                    std::minmax(edge.left, edge.right) == std::minmax(phase, beyond);
         });
@@ -178,7 +178,7 @@ void add_contacts(FluidSystem& system, const FrozenMesh& mesh, const FluidOption
 
 } // namespace
 
-void assemble(const FrozenMesh& mesh, const FluidNumbering& numbers, const FluidOptions& options,
+void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const FluidOptions& options,
               const FluidPast& past, double time, FluidSystem& system) {
     const bool has_inertia = options.equations == FluidEquations::navier_stokes;
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
@@ -188,7 +188,7 @@ void assemble(const FrozenMesh& mesh, const FluidNumbering& numbers, const Fluid
     system.size = numbers.size;
     system.elements.resize(mesh.triangles.size());
     share_out(mesh.triangles.size(), options.threads, [&](std::size_t t) {
-        const FrozenTriangle& triangle = mesh.triangles[t];
+        const SnapshotTriangle& triangle = mesh.triangles[t];
         const FluidPhase& fluid = fluid_of(options, triangle.phase);
         const double size = area(mesh, triangle);
         FluidElement& element = system.elements[t];

@@ -29,7 +29,7 @@ struct FluidSystem {
 /// it resists what the velocity changes since the last step. Throws InputError if a phase or a pair
 /// that meets has no properties. Reuses the memory of the system before. The same bits for any
 /// number of threads. O(n).
-void assemble(const FrozenMesh& mesh, const FluidNumbering& numbers, const FluidOptions& options,
+void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const FluidOptions& options,
               const FluidPast& past, double time, FluidSystem& system);
 
 } // namespace dsc

@@ -14,7 +14,7 @@ constexpr int passes = 3;         // over the triangles beside a cut
 
 class Dissector {
 public:
-    explicit Dissector(const FrozenMesh& mesh)
+    explicit Dissector(const MeshSnapshot& mesh)
         : mesh_(mesh), side_(mesh.triangles.size(), 0), in_half_(mesh.nodes.size(), 0),
           is_taken_(mesh.nodes.size(), 0) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -149,7 +149,7 @@ private:
         return nodes;
     }
 
-    const FrozenMesh& mesh_;
+    const MeshSnapshot& mesh_;
     std::vector<Point<double>> centres_; // three times
     std::vector<std::uint32_t> side_;    // by triangle: twice the last stamp, and 1 beyond the cut
     std::vector<std::uint32_t> in_half_; // by node: the last stamp
@@ -160,6 +160,6 @@ private:
 
 } // namespace
 
-Dissection dissect(const FrozenMesh& mesh) { return Dissector(mesh).take(); }
+Dissection dissect(const MeshSnapshot& mesh) { return Dissector(mesh).take(); }
 
 } // namespace dsc

@@ -3,7 +3,7 @@
 // element mesh", 1973) by cuts along the axes.
 #pragma once
 
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 
 #include <vector>
 
@@ -30,6 +30,6 @@ struct Dissection {
 
 /// Cuts at the median along the longer axis; parts with many triangles try both axes and keep the
 /// shorter cut. Then straightens the cut. The result depends on nothing but the mesh. O(n log n).
-[[nodiscard]] Dissection dissect(const FrozenMesh& mesh);
+[[nodiscard]] Dissection dissect(const MeshSnapshot& mesh);
 
 } // namespace dsc

@@ -22,7 +22,7 @@ std::array<bool, 2> held_by_walls(const Point<double>& p, const Rectangle& domai
 // The corners at each vertex that are of one phase have one pressure: the first of them stands for
 // all, as 3 * triangle + corner.
 std::vector<std::array<std::uint32_t, 3>>
-leaders_of_pressures(const FrozenMesh& mesh, std::vector<std::vector<std::uint32_t>>& at_vertex) {
+leaders_of_pressures(const MeshSnapshot& mesh, std::vector<std::vector<std::uint32_t>>& at_vertex) {
     std::vector<std::array<std::uint32_t, 3>> leaders(mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -38,11 +38,11 @@ leaders_of_pressures(const FrozenMesh& mesh, std::vector<std::vector<std::uint32
 
 } // namespace
 
-FluidNumbering number_unknowns(const FrozenMesh& mesh, const Dissection& dissection,
+FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
                                const FluidOptions& options) {
     FluidNumbering numbers;
     numbers.is_middle_of_phases.assign(mesh.nodes.size(), 0);
-    for (const FrozenEdge& edge : mesh.interface) {
+    for (const SnapshotEdge& edge : mesh.interface) {
         numbers.is_middle_of_phases[edge.middle] = 1;
     }
     std::vector<std::vector<std::uint32_t>> pressures(mesh.vertex_bound);
@@ -50,7 +50,7 @@ FluidNumbering number_unknowns(const FrozenMesh& mesh, const Dissection& dissect
     const auto is_void = [&](std::uint32_t leader) {
         return fluid_of(options, mesh.triangles[leader / 3].phase).is_void;
     };
-    numbers.has_void = std::ranges::any_of(mesh.triangles, [&](const FrozenTriangle& t) {
+    numbers.has_void = std::ranges::any_of(mesh.triangles, [&](const SnapshotTriangle& t) {
         return fluid_of(options, t.phase).is_void;
     });
     // Without a void the pressure is determined up to a constant: the last one is 0.

@@ -25,7 +25,7 @@ struct FluidNumbering {
 };
 
 /// Numbers the unknowns in the order of elimination, those of a node after each other. O(n phases).
-[[nodiscard]] FluidNumbering number_unknowns(const FrozenMesh& mesh, const Dissection& dissection,
+[[nodiscard]] FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
                                              const FluidOptions& options);
 
 } // namespace dsc

@@ -23,7 +23,7 @@ Setup grow_in_a_fine_band(const Parameters& p) {
 constexpr double coarse_over_fine = 4;
 
 // The four combinations of fine and coarse triangles, inside and outside. The interface is fine
-// unless both are coarse; at the start it is fine, and upkeep brings it to its targets.
+// unless both are coarse; at the start it is fine, and remeshing brings it to its targets.
 Setup grow_in_two_sizes(const Parameters& p) {
     const auto length = [&](Fineness fineness) {
         return fineness == Fineness::coarse ? coarse_over_fine * p.h : p.h;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid motion without rotation (thesis, section 9.1): any loss is caused by upkeep alone.
+// Rigid motion without rotation (thesis, section 9.1): any loss is caused by remeshing alone.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

@@ -166,7 +166,7 @@ void read_motion(const TableReader& top, SceneParts& parts) {
 }
 
 // What is asked of the mesh.
-void read_upkeep(const TableReader& top, SceneParts& parts) {
+void read_remeshing(const TableReader& top, SceneParts& parts) {
     if (top.has("carried")) {
         parts.carried = top.phases("carried");
     }
@@ -245,7 +245,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         }
     }
     read_motion(top, parts);
-    read_upkeep(top, parts);
+    read_remeshing(top, parts);
     if (top.has("exact")) {
         parts.exact = read_exact(top.table("exact"));
     }

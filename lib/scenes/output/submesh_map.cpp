@@ -15,7 +15,7 @@ void write_submesh_map(const SubmeshView& submeshes, const std::string& path) {
     for (const SubStepProfile& profile : submeshes.profile) {
         work.resize(std::max(work.size(), profile.move.size()), 0.0);
         for (std::size_t i = 0; i < profile.move.size(); ++i) {
-            work[i] += profile.move[i] + (i < profile.aim.size() ? profile.aim[i] : 0.0);
+            work[i] += profile.move[i] + (i < profile.targets.size() ? profile.targets[i] : 0.0);
         }
     }
     Json colours = Json::array();

@@ -30,7 +30,7 @@ bool is_at_wall(const Complex<double>& complex, Phase phase) {
 double centre_of(const FluidField& field, Phase phase) {
     double moment = 0;
     double sum = 0;
-    for (const FrozenTriangle& t : field.mesh.triangles) {
+    for (const SnapshotTriangle& t : field.mesh.triangles) {
         if (t.phase == phase) {
             const double share = area(field.mesh, t);
             for (std::size_t i = 0; i < 3; ++i) {
@@ -61,7 +61,7 @@ double amplitude_of(const FluidField& field, const SmallWave& wave) {
         heights += weight * height;
         products += weight * shape * height;
     };
-    for (const FrozenEdge& edge : field.mesh.interface) {
+    for (const SnapshotEdge& edge : field.mesh.interface) {
         const Point<double>& from = field.mesh.nodes[edge.from];
         const Point<double>& to = field.mesh.nodes[edge.to];
         const double weight = (to - from).norm() / 2;
@@ -74,7 +74,7 @@ double amplitude_of(const FluidField& field, const SmallWave& wave) {
 // How far from the left side the interface ends at the lower one.
 double neck_of(const FluidField& field) {
     double farthest = unknown;
-    for (const FrozenEdge& edge : field.mesh.interface) {
+    for (const SnapshotEdge& edge : field.mesh.interface) {
         for (const std::uint32_t end : {edge.from, edge.to}) {
             const Point<double> way = field.mesh.nodes[end] - field.mesh.domain.low;
             if (way.y() == 0) {
@@ -170,9 +170,9 @@ FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup, std::uint
 }
 
 void FluidRun::check_pairs_meet() const {
-    const std::vector<FrozenEdge>& interface = fluid_.field().mesh.interface;
+    const std::vector<SnapshotEdge>& interface = fluid_.field().mesh.interface;
     for (const FluidTension& pair : motion_.options.tensions) {
-        const bool meet = std::ranges::any_of(interface, [&](const FrozenEdge& edge) {
+        const bool meet = std::ranges::any_of(interface, [&](const SnapshotEdge& edge) {
             return &pair_of(motion_.options, edge.left, edge.right) == &pair;
         });
         if (!meet) {
@@ -295,7 +295,7 @@ void FluidRun::put_into(std::vector<VtuArray>& arrays) const {
     std::vector<double> beyond(count, 0);
     std::vector<std::pair<Phase, Phase>> seen(count, {std::numeric_limits<Phase>::max(), 0});
     for (std::size_t t = 0; t < field.mesh.triangles.size(); ++t) {
-        const FrozenTriangle& triangle = field.mesh.triangles[t];
+        const SnapshotTriangle& triangle = field.mesh.triangles[t];
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t v = triangle.nodes[i];
             if (triangle.phase <= seen[v].first) {

@@ -91,7 +91,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
 
     Algorithm<Real> algorithm = default_algorithm<Real>();
     if (thresholds.smooth_interface) {
-        algorithm.upkeep.push_back({"interface smoothing", &smooth_interface<Real>, true});
+        algorithm.remeshing.push_back({"interface smoothing", &smooth_interface<Real>, true});
     }
     const Pass<Real> last = algorithm.motion.back();
     algorithm.motion.pop_back();

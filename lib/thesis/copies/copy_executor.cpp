@@ -13,14 +13,14 @@ namespace dsc {
 namespace {
 
 /// Free ids of a submesh, in addition to two for each of its interface vertices: a sub-step of at
-/// most one edge length creates about one vertex for each. What does not fit is put off, never
+/// most one edge length creates about one vertex for each. What does not fit is deferred, never
 /// lost.
 constexpr std::size_t spare_ids = 256;
 
 template <class Real>
 void forget(Work<Real>& work) {
     work.interface.clear();
-    work.movers.clear();
+    work.moving_vertices.clear();
     work.active.clear();
     work.resized.clear();
     work.deferred.clear();
@@ -47,15 +47,15 @@ template <class Real>
 MoveReport CopyExecutor<Real>::move() {
     MoveReport report;
     report.held = this->begin_movement();
-    // Algorithm 6.3: the mesh is divided anew until nothing is put off, except for what two colours
-    // cannot do. A vertex that is blocked although nothing is put off has had all the room that
-    // there is.
+    // Algorithm 6.3: the mesh is divided anew until nothing is deferred, except for what two
+    // colours cannot do. A vertex that is blocked although nothing is deferred has had all the room
+    // that there is.
     const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
     Timer timer;
     if (is_left) {
         report.passes += run_motion(whole_, algorithm_.motion, epoch_);
     }
-    report.unreached = give_up_movers(whole_) + report.held;
+    report.unreached = give_up_moving_vertices(whole_) + report.held;
     whole_.deferred.clear();
     costs_.whole_s += timer.lap();
     this->end_movement();
@@ -76,13 +76,13 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     if (whole_.log.readers > 0) {
         whole_.log.records.push_back({.kind = EditKind::rebuild});
     }
-    const bool is_put_off = take_back();
+    const bool is_deferred = take_back();
     costs_.merge_s += timer.lap();
     ++costs_.rounds;
     for (const auto& task : tasks_) {
         report.passes = std::max(report.passes, task->passes);
     }
-    return is_put_off;
+    return is_deferred;
 }
 
 template <class Real>
@@ -97,17 +97,18 @@ void CopyExecutor<Real>::hand_out() {
         task->work.epoch = 1;
         task->work.time = whole_.time;
     }
-    waiting_movers_.clear();
+    waiting_vertices_.clear();
     waiting_active_.clear();
     const auto work_of = [&](std::uint32_t vertex) -> Work<Real>* {
         const std::uint32_t owner = submeshes_.owner[vertex];
         return owner < tasks_.size() ? &tasks_[owner]->work : nullptr;
     };
-    for (const Mover<Real>& mover : whole_.movers) {
-        if (Work<Real>* work = work_of(mover.vertex)) {
-            work->movers.push_back({submeshes_.local[mover.vertex], mover.x, mover.y});
+    for (const MovingVertex<Real>& moving_vertex : whole_.moving_vertices) {
+        if (Work<Real>* work = work_of(moving_vertex.vertex)) {
+            work->moving_vertices.push_back(
+                {submeshes_.local[moving_vertex.vertex], moving_vertex.x, moving_vertex.y});
         } else {
-            waiting_movers_.push_back(mover);
+            waiting_vertices_.push_back(moving_vertex);
         }
     }
     for (const std::uint32_t v : whole_.resized) {
@@ -168,32 +169,34 @@ void CopyExecutor<Real>::run_tasks() {
 template <class Real>
 bool CopyExecutor<Real>::take_back() {
     // In the merged complex all stamps are 0.
-    whole_.movers.clear();
+    whole_.moving_vertices.clear();
     whole_.active.clear();
     whole_.epoch = this->new_stamp();
-    for (const Mover<Real>& mover : waiting_movers_) {
-        whole_.movers.push_back({submeshes_.merged_vertex(mover.vertex), mover.x, mover.y});
+    for (const MovingVertex<Real>& moving_vertex : waiting_vertices_) {
+        whole_.moving_vertices.push_back(
+            {submeshes_.merged_vertex(moving_vertex.vertex), moving_vertex.x, moving_vertex.y});
     }
     for (const std::uint32_t v : waiting_active_) {
         if (const std::uint32_t merged = submeshes_.merged_vertex(v); merged != no_id) {
             whole_.activate(merged);
         }
     }
-    bool is_put_off = !waiting_movers_.empty() || !waiting_active_.empty();
+    bool is_deferred = !waiting_vertices_.empty() || !waiting_active_.empty();
     bool is_as_given = true;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
         const Work<Real>& work = tasks_[i]->work;
         const auto& merged = submeshes_.list[i]->merged;
         // A vertex that is blocked here may find room once others have moved.
-        const auto take_mover = [&](const Mover<Real>& mover) {
-            whole_.movers.push_back({merged[mover.vertex], mover.x, mover.y});
+        const auto take_moving_vertex = [&](const MovingVertex<Real>& moving_vertex) {
+            whole_.moving_vertices.push_back(
+                {merged[moving_vertex.vertex], moving_vertex.x, moving_vertex.y});
         };
         const auto take_star = [&](std::uint32_t v) {
             if (merged[v] != no_id) {
                 whole_.activate(merged[v]);
             }
         };
-        std::ranges::for_each(work.movers, take_mover);
+        std::ranges::for_each(work.moving_vertices, take_moving_vertex);
         std::ranges::for_each(work.active, take_star);
         for (const std::uint32_t v : work.resized) {
             if (merged[v] != no_id) {
@@ -201,19 +204,20 @@ bool CopyExecutor<Real>::take_back() {
             }
         }
         for (const Deferred<Real>& one : work.deferred.entries) {
-            if (one.kind == DeferredKind::mover) {
-                take_mover(one.mover());
-                is_put_off = true;
+            if (one.kind == DeferredKind::moving_vertex) {
+                take_moving_vertex(one.moving_vertex());
+                is_deferred = true;
             } else if (one.kind == DeferredKind::star) {
                 take_star(one.vertex);
-                is_put_off = true;
+                is_deferred = true;
             }
         }
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
     take_interface_back(is_as_given);
-    std::erase_if(whole_.movers, [](const auto& mover) { return mover.vertex == no_id; });
-    return is_put_off;
+    std::erase_if(whole_.moving_vertices,
+                  [](const auto& moving_vertex) { return moving_vertex.vertex == no_id; });
+    return is_deferred;
 }
 
 // The order of the list is kept, unless passes of an application rewrote it.

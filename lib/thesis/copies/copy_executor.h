@@ -24,16 +24,16 @@ struct CopyOptions {
 struct CopyCosts {
     double create_s = 0;      ///< CreateSubmeshes, and distributing what there is to do
     double run_s = 0;         ///< the submeshes, in parallel
-    double merge_s = 0;       ///< MergeSubmeshes, and collecting what was put off
+    double merge_s = 0;       ///< MergeSubmeshes, and collecting what was deferred
     double whole_s = 0;       ///< the run on the whole complex for what both colours left
     std::uint64_t steps = 0;  ///< that have been run
     std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
 };
 
-/// Runs the upkeep on the whole complex; the motion passes on red submeshes, then on black ones for
-/// what red put off, then on the whole complex for what is left. Submeshes share neither locks nor
-/// memory while they run: any pass that keeps to `Work::submesh` may run in them, but it sees the
-/// ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
+/// Runs the remeshing on the whole complex; the motion passes on red submeshes, then on black ones
+/// for what red deferred, then on the whole complex for what is left. Submeshes share neither locks
+/// nor memory while they run: any pass that keeps to `Work::submesh` may run in them, but it sees
+/// the ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
 ///
 /// The complex stays the same object, and so do its attributes. All ids change in `move`, as in the
 /// thesis: handles from before a step are invalid, and the application finds its simplices again by
@@ -82,7 +82,8 @@ private:
     using Executor<Real>::complex_;
     using Executor<Real>::options_;
     using Executor<Real>::algorithm_;
-    using Executor<Real>::whole_; // upkeep and aim; between the rounds, the work that remains
+    using Executor<Real>::whole_; // remeshing and trajectory; between the rounds, the work that
+                                  // remains
     using Executor<Real>::epoch_;
     using typename Executor<Real>::Progress;
     using Executor<Real>::progress_;
@@ -91,7 +92,7 @@ private:
     CopiedSubmeshes<Real> submeshes_;
     std::vector<std::unique_ptr<Task>> tasks_;
     // What lies on submesh boundaries waits for the next round; by vertex of the mesh.
-    std::vector<Mover<Real>> waiting_movers_;
+    std::vector<MovingVertex<Real>> waiting_vertices_;
     std::vector<std::uint32_t> waiting_active_;
     CopyCosts costs_;
 };

@@ -61,7 +61,7 @@ bool are_ends_of_seam(const TopologyWork<Real>& work, Corner one, Corner other) 
 }
 
 template <class Real>
-bool is_squeezed(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
+bool is_squeezed(const TopologyWork<Real>& work, std::span<const Candidate> candidates,
                  const std::array<Corner, 2>& sheets) {
     const Complex<Real>& complex = work.complex;
     std::array<Point<Real>, 4> now;
@@ -73,7 +73,7 @@ bool is_squeezed(const TopologyWork<Real>& work, std::span<const Suspect> suspec
         if ((record.flags & vertex_contact) != 0) {
             return true; // the film holds up the interface
         }
-        if (record.slot >= suspects.size() || suspects[record.slot].vertex != v) {
+        if (record.slot >= candidates.size() || candidates[record.slot].vertex != v) {
             return false; // new, or thin only since: it is asked again after the next sub-step
         }
         now[i] = {record.x, record.y};
@@ -153,7 +153,7 @@ int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& s
 }
 
 template <class Real>
-bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspects, Triangle t,
+bool find_bridge(const TopologyWork<Real>& work, std::span<const Candidate> candidates, Triangle t,
                  Bridge<Real>& best) {
     const Complex<Real>& complex = work.complex;
     std::array<Corner, 3> sheets{};
@@ -177,7 +177,7 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspec
         }
         // First what rules out most: nothing is squeezed in a flow that keeps areas.
         if (work.options.opening == Opening::squeezed &&
-            !is_squeezed(work, suspects, {sheet, opposite})) {
+            !is_squeezed(work, candidates, {sheet, opposite})) {
             continue;
         }
         if (!is_thin(work, u) || !faces(complex, sheet, opposite) ||
@@ -197,13 +197,13 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspec
     template Real contact_at(const TopologyWork<Real>&, Corner);                                   \
     template bool faces(const Complex<Real>&, Corner, Corner);                                     \
     template bool are_ends_of_seam(const TopologyWork<Real>&, Corner, Corner);                     \
-    template bool is_squeezed(const TopologyWork<Real>&, std::span<const Suspect>,                 \
+    template bool is_squeezed(const TopologyWork<Real>&, std::span<const Candidate>,               \
                               const std::array<Corner, 2>&);                                       \
     template bool is_squeezed(const std::array<Point<Real>, 4>&,                                   \
                               const std::array<Point<Real>, 4>&);                                  \
     template bool is_thin(const TopologyWork<Real>&, Triangle);                                    \
     template int sheets_of(const Complex<Real>&, Triangle, std::array<Corner, 3>&);                \
-    template bool find_bridge(const TopologyWork<Real>&, std::span<const Suspect>, Triangle,       \
+    template bool find_bridge(const TopologyWork<Real>&, std::span<const Candidate>, Triangle,     \
                               Bridge<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

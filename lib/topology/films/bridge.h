@@ -32,9 +32,10 @@ template <class Real>
 [[nodiscard]] bool are_ends_of_seam(const TopologyWork<Real>& work, Corner one, Corner other);
 
 /// The flow takes area from the film between the two half-edges, or they hold up each other.
-/// `suspects` as in `find_bridge`. O(1).
+/// `candidates` as in `find_bridge`. O(1).
 template <class Real>
-[[nodiscard]] bool is_squeezed(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
+[[nodiscard]] bool is_squeezed(const TopologyWork<Real>& work,
+                               std::span<const Candidate> candidates,
                                const std::array<Corner, 2>& sheets);
 
 /// The same for two sheets that go from the first point to the second, and from the third to the
@@ -51,10 +52,11 @@ template <class Real>
 template <class Real>
 int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& sheets);
 
-/// The thinner of the bridges of a thin triangle, if the film is to open there. `suspects`: of
+/// The thinner of the bridges of a thin triangle, if the film is to open there. `candidates`: of
 /// the change; `VertexRecord::slot` of each is its index there. O(degrees).
 template <class Real>
-[[nodiscard]] bool find_bridge(const TopologyWork<Real>& work, std::span<const Suspect> suspects,
-                               Triangle t, Bridge<Real>& best);
+[[nodiscard]] bool find_bridge(const TopologyWork<Real>& work,
+                               std::span<const Candidate> candidates, Triangle t,
+                               Bridge<Real>& best);
 
 } // namespace dsc

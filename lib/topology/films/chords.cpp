@@ -75,14 +75,14 @@ private:
 // The sheets of all chords, each once, in the order of their places.
 template <class Real>
 std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
-                                              std::span<const Suspect> suspects) {
+                                              std::span<const Candidate> candidates) {
     const Complex<Real>& complex = work.complex;
     std::vector<std::tuple<Real, Real, std::array<Corner, 2>>> found;
-    const auto look = [&](const Suspect& suspect, auto& chords) {
-        if (!complex.is_alive(Vertex{suspect.vertex})) {
+    const auto look = [&](const Candidate& candidate, auto& chords) {
+        if (!complex.is_alive(Vertex{candidate.vertex})) {
             return;
         }
-        (void)find_corner(complex, Vertex{suspect.vertex}, [&](Corner at) {
+        (void)find_corner(complex, Vertex{candidate.vertex}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
             const Chord<Real> chord =
                 is_sheet(complex, sheet) ? find_chord(work, sheet) : Chord<Real>{};
@@ -93,7 +93,7 @@ std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
             return false; // all of them, in any order
         });
     };
-    find_at(work.in_shares, suspects, found, look);
+    find_at(work.in_shares, candidates, found, look);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<std::array<Corner, 2>> list;
@@ -131,8 +131,8 @@ Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
 
 template <class Real>
 std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work,
-                                                  std::span<const Suspect> suspects) {
-    const auto chords = all_chords(work, suspects);
+                                                  std::span<const Candidate> candidates) {
+    const auto chords = all_chords(work, candidates);
     std::unordered_map<Corner, std::size_t> index;
     for (std::size_t i = 0; i < chords.size(); ++i) {
         index.emplace(chords[i][0], i);
@@ -182,7 +182,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
     template Real wide_contact_at(const TopologyWork<Real>&, Corner);                              \
     template Chord<Real> find_chord(const TopologyWork<Real>&, Corner);                            \
     template std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>&,          \
-                                                               std::span<const Suspect>);          \
+                                                               std::span<const Candidate>);        \
     template Connection connection_of(const TopologyWork<Real>&, const Chord<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -26,12 +26,12 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet);
 
-/// The half-edges from which chords start at the suspects, by places: chords of successive
+/// The half-edges from which chords start at the candidates, by places: chords of successive
 /// half-edges, and of those that see each other, belong to one place. In an order that depends only
-/// on where they lie. O(suspects * contact / edge length).
+/// on where they lie. O(candidates * contact / edge length).
 template <class Real>
-[[nodiscard]] std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work,
-                                                                std::span<const Suspect> suspects);
+[[nodiscard]] std::vector<std::vector<Corner>>
+find_thin_places(const TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 /// How the two sheets of a chord are connected along the outline.
 struct Connection {

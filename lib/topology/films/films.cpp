@@ -29,19 +29,19 @@ public:
         most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
     }
 
-    void run(std::span<const Suspect> suspects, std::span<const Suspect> notable) {
+    void run(std::span<const Candidate> candidates, std::span<const Candidate> notable) {
         // Which stars face a sheet was seen before anything changed.
         if (work_.touched.empty()) {
-            find_near(notable, &Suspect::is_facing);
+            find_near(notable, &Candidate::is_facing);
         } else {
-            find_near(suspects, &Suspect::is_thin);
+            find_near(candidates, &Candidate::is_thin);
         }
         if (near_.empty()) {
             return;
         }
         Bridge<Real> bridge{};
         const std::size_t before = work_.events.size();
-        const auto opens = [&](Triangle t) { return find_bridge(work_, suspects, t, bridge); };
+        const auto opens = [&](Triangle t) { return find_bridge(work_, candidates, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {
             if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
                 open(bridge);
@@ -52,7 +52,7 @@ public:
         }
         // Seams of earlier events, whose sheets have come closer since, and of those just now.
         if (work_.events.size() != before) {
-            find_near(suspects, &Suspect::is_thin);
+            find_near(candidates, &Candidate::is_thin);
         }
         const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
         for (const Triangle t : thin_triangles(goes_on)) {
@@ -67,13 +67,13 @@ private:
     // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
     // the other; so has the end of a seam. Nearly no interface vertex has a triangle of this kind
     // before an event makes some.
-    void find_near(std::span<const Suspect> suspects, bool Suspect::*may_be) {
+    void find_near(std::span<const Candidate> candidates, bool Candidate::*may_be) {
         near_.clear();
-        for (const auto& suspect : suspects) {
-            if (!(suspect.*may_be) || !complex_.is_alive(Vertex{suspect.vertex})) {
+        for (const auto& candidate : candidates) {
+            if (!(candidate.*may_be) || !complex_.is_alive(Vertex{candidate.vertex})) {
                 continue;
             }
-            (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+            (void)find_corner(complex_, Vertex{candidate.vertex}, [&](Corner c) {
                 if (is_sheet(complex_, c) && !is_thick(c) && !is_plain_ear(c)) {
                     near_.push_back(Triangle{triangle_of(c)});
                 }
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // Between two successive edges of one sheet, away from seams, and nothing is held up: it
+    // Between two successive edges of one sheet, away from seams, and nothing is blocked: it
     // bridges no film, and is not the end of a seam.
     bool is_plain_ear(Corner c) const {
         const auto is_plain = [&](std::uint32_t v) {
@@ -277,11 +277,11 @@ private:
         const Point<Real> a = direction(complex_, sheets[0]);
         const Point<Real> b = direction(complex_, sheets[1]);
         // Its two sides hold up each other.
-        const auto is_held_up = [&](Corner c) {
+        const auto is_blocked = [&](Corner c) {
             const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
             return (complex_.vertices[v].flags & vertex_contact) != 0;
         };
-        const bool is_closing = is_held_up(sheets[0]) && is_held_up(sheets[1]);
+        const bool is_closing = is_blocked(sheets[0]) && is_blocked(sheets[1]);
         return (is_closing || is_seam(complex_.vertex(shared))) &&
                -a.dot(b) > static_cast<Real>(seam_angle) * a.norm() * b.norm();
     }
@@ -397,12 +397,14 @@ private:
 } // namespace
 
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Suspect> suspects,
-                std::span<const Suspect> notable) {
-    Films<Real>(work).run(suspects, notable);
+void open_films(TopologyWork<Real>& work, std::span<const Candidate> candidates,
+                std::span<const Candidate> notable) {
+    Films<Real>(work).run(candidates, notable);
 }
 
-template void open_films(TopologyWork<double>&, std::span<const Suspect>, std::span<const Suspect>);
-template void open_films(TopologyWork<float>&, std::span<const Suspect>, std::span<const Suspect>);
+template void open_films(TopologyWork<double>&, std::span<const Candidate>,
+                         std::span<const Candidate>);
+template void open_films(TopologyWork<float>&, std::span<const Candidate>,
+                         std::span<const Candidate>);
 
 } // namespace dsc

@@ -27,11 +27,11 @@
 
 namespace dsc {
 
-/// Opens films among the triangles at the suspects, in an order that depends only on where they
+/// Opens films among the triangles at the candidates, in an order that depends only on where they
 /// lie. `notable`: those of them that face a sheet or are sharp; the others count once something
 /// has changed. O(their degrees), plus the length of the outline for each that opens.
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Suspect> suspects,
-                std::span<const Suspect> notable);
+void open_films(TopologyWork<Real>& work, std::span<const Candidate> candidates,
+                std::span<const Candidate> notable);
 
 } // namespace dsc

@@ -27,18 +27,18 @@ constexpr double landing_reach = 1.5;
 template <class Real>
 class Landing {
 public:
-    Landing(TopologyWork<Real>& work, std::span<const Suspect> suspects)
-        : work_(work), complex_(work.complex), suspects_(suspects) {}
+    Landing(TopologyWork<Real>& work, std::span<const Candidate> candidates)
+        : work_(work), complex_(work.complex), candidates_(candidates) {}
 
     void run() {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         const auto take = [&](std::uint32_t v) {
-            if (is_held_up(work_, v) || is_before_held_end(v)) {
+            if (is_blocked(work_, v) || is_before_held_end(v)) {
                 found.emplace_back(at(v).x(), at(v).y(), v);
             }
         };
-        for (const auto& suspect : suspects_) {
-            const Vertex v{suspect.vertex};
+        for (const auto& candidate : candidates_) {
+            const Vertex v{candidate.vertex};
             take(v.id);
             if (complex_.is_alive(v) && (is_on_wall(v.id) || is_junction(v.id))) {
                 for_each_corner(complex_, v, [&](Corner c) {
@@ -51,7 +51,7 @@ public:
         std::ranges::sort(found);
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
-            while (v != no_id && (is_held_up(work_, v) || is_before_held_end(v))) {
+            while (v != no_id && (is_blocked(work_, v) || is_before_held_end(v))) {
                 land_those_before(v);
                 v = land(v);
             }
@@ -61,12 +61,12 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // The end of a curve that is held up has the next vertices of its own curves in its way.
+    // The end of a curve that is blocked has the next vertices of its own curves in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
         return complex_.is_alive(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
                    const std::uint32_t end = complex_.vertex(next(c));
-                   return is_sheet(complex_, prev(c)) && is_held_up(work_, end) &&
+                   return is_sheet(complex_, prev(c)) && is_blocked(work_, end) &&
                           (is_on_wall(end) || is_junction(end));
                }) != no_id;
     }
@@ -77,7 +77,7 @@ private:
                }) != no_id;
     }
 
-    // Between a vertex that is held up and the end of its curve may be others, as low as it, that
+    // Between a vertex that is blocked and the end of its curve may be others, as low as it, that
     // are not. They land first, from the end on.
     void land_those_before(std::uint32_t v) {
         std::vector<std::vector<std::uint32_t>> ways;
@@ -345,19 +345,19 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh<Real> submesh_{complex_};
-    std::span<const Suspect> suspects_;
+    std::span<const Candidate> candidates_;
 };
 
 } // namespace
 
 template <class Real>
-void land_vertices(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
-    if (work.has_held_up) {
-        Landing<Real>(work, suspects).run();
+void land_vertices(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    if (work.has_blocked) {
+        Landing<Real>(work, candidates).run();
     }
 }
 
-template void land_vertices(TopologyWork<double>&, std::span<const Suspect>);
-template void land_vertices(TopologyWork<float>&, std::span<const Suspect>);
+template void land_vertices(TopologyWork<double>&, std::span<const Candidate>);
+template void land_vertices(TopologyWork<float>&, std::span<const Candidate>);
 
 } // namespace dsc

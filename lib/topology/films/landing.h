@@ -12,10 +12,10 @@
 
 namespace dsc {
 
-/// Lands the vertices that are held up next to the end of their curve, among the suspects, in an
+/// Lands the vertices that are blocked next to the end of their curve, among the candidates, in an
 /// order that depends only on where they lie; those between them and the end land first. A slit
-/// whose mouth holds a vertex up is filled. O(suspects); O(1) where nothing is held up.
+/// whose mouth holds a vertex up is filled. O(candidates); O(1) where nothing is blocked.
 template <class Real>
-void land_vertices(TopologyWork<Real>& work, std::span<const Suspect> suspects);
+void land_vertices(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 } // namespace dsc

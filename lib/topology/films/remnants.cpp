@@ -23,8 +23,8 @@ public:
         : work_(work), complex_(work.complex), least_area_(least_area(work)),
           most_triangles_(most_of(least_area_ / (work.edge_length * work.edge_length))) {}
 
-    void run(std::span<const Suspect> suspects) {
-        for (const Corner c : outlines_at(suspects)) {
+    void run(std::span<const Candidate> candidates) {
+        for (const Corner c : outlines_at(candidates)) {
             if (is_outline(complex_, c)) { // it may have vanished since
                 visit(c);
             }
@@ -40,11 +40,11 @@ private:
     }
 
     // The half-edges of outlines that leave the vertices, in the order of their places.
-    std::vector<Corner> outlines_at(std::span<const Suspect> suspects) const {
+    std::vector<Corner> outlines_at(std::span<const Candidate> candidates) const {
         std::vector<std::tuple<Real, Real, Corner>> found;
-        const auto look = [this](const Suspect& suspect, auto& outlines) {
-            const std::uint32_t v = suspect.vertex;
-            if (!suspect.is_sharp || !complex_.is_alive(Vertex{v})) {
+        const auto look = [this](const Candidate& candidate, auto& outlines) {
+            const std::uint32_t v = candidate.vertex;
+            if (!candidate.is_sharp || !complex_.is_alive(Vertex{v})) {
                 return;
             }
             (void)find_corner(complex_, Vertex{v}, [&](Corner at) {
@@ -56,7 +56,7 @@ private:
                 return false; // all of them, in any order
             });
         };
-        find_at(work_.in_shares, suspects, found, look);
+        find_at(work_.in_shares, candidates, found, look);
         std::ranges::sort(found);
         std::vector<Corner> list;
         for (const auto& one : found) {
@@ -204,11 +204,11 @@ private:
 } // namespace
 
 template <class Real>
-void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
-    Remnants<Real>(work).run(suspects);
+void remove_remnants(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    Remnants<Real>(work).run(candidates);
 }
 
-template void remove_remnants(TopologyWork<double>&, std::span<const Suspect>);
-template void remove_remnants(TopologyWork<float>&, std::span<const Suspect>);
+template void remove_remnants(TopologyWork<double>&, std::span<const Candidate>);
+template void remove_remnants(TopologyWork<float>&, std::span<const Candidate>);
 
 } // namespace dsc

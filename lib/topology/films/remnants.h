@@ -10,9 +10,9 @@
 
 namespace dsc {
 
-/// Removes small pieces that the suspects lie on. O(their degrees): outlines of more than a
+/// Removes small pieces that the candidates lie on. O(their degrees): outlines of more than a
 /// few edges are not followed to the end.
 template <class Real>
-void remove_remnants(TopologyWork<Real>& work, std::span<const Suspect> suspects);
+void remove_remnants(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 } // namespace dsc

@@ -27,7 +27,7 @@ constexpr double same_film = 12;
 constexpr double near_foot = 0.25;
 /// An interface edge near the wall, with the film on its left.
 template <class Real>
-struct WallChord {
+struct BoundaryChord {
     Corner sheet;
     FilmRay<Real> ray;
     bool is_first = true; ///< none of the chords leads to it along the outline
@@ -36,8 +36,8 @@ struct WallChord {
 template <class Real>
 class WallFilms {
 public:
-    WallFilms(TopologyWork<Real>& work, std::span<const Suspect> suspects)
-        : work_(work), complex_(work.complex), suspects_(suspects) {}
+    WallFilms(TopologyWork<Real>& work, std::span<const Candidate> candidates)
+        : work_(work), complex_(work.complex), candidates_(candidates) {}
 
     void run() {
         do {
@@ -66,24 +66,24 @@ private:
         chords_.clear();
         index_.clear();
         is_refined_ = false;
-        const auto look = [this](const Suspect& suspect, auto& found) {
-            if (!complex_.is_alive(Vertex{suspect.vertex})) {
+        const auto look = [this](const Candidate& candidate, auto& found) {
+            if (!complex_.is_alive(Vertex{candidate.vertex})) {
                 return;
             }
-            (void)find_corner(complex_, Vertex{suspect.vertex}, [&](Corner c) {
+            (void)find_corner(complex_, Vertex{candidate.vertex}, [&](Corner c) {
                 const Corner leaves = prev(c); // the half-edge that starts at the vertex
                 const Corner across = complex_.twin(leaves);
                 if (!is_border(across) && is_sheet(complex_, leaves)) {
                     add_chord(leaves, found);
-                    if (!is_suspect(complex_.vertex(next(c)))) { // else it adds its own
+                    if (!is_candidate(complex_.vertex(next(c)))) { // else it adds its own
                         add_chord(across, found);
                     }
                 }
                 return false; // all of them, in any order
             });
         };
-        find_at(work_.in_shares, suspects_, chords_, look);
-        std::ranges::sort(chords_, {}, [this](const WallChord<Real>& chord) {
+        find_at(work_.in_shares, candidates_, chords_, look);
+        std::ranges::sort(chords_, {}, [this](const BoundaryChord<Real>& chord) {
             const Point<Real> place = centroid(complex_, Triangle{triangle_of(chord.sheet)});
             return std::tuple(place.x(), place.y(), chord.sheet);
         });
@@ -98,15 +98,15 @@ private:
         }
     }
 
-    void add_chord(Corner sheet, std::vector<WallChord<Real>>& chords) const {
+    void add_chord(Corner sheet, std::vector<BoundaryChord<Real>>& chords) const {
         if (const FilmRay<Real> ray = ray_of(sheet); ray.wall != no_id) {
             chords.push_back({sheet, ray});
         }
     }
 
-    [[nodiscard]] bool is_suspect(std::uint32_t v) const {
+    [[nodiscard]] bool is_candidate(std::uint32_t v) const {
         const std::uint32_t slot = complex_.vertices[v].slot;
-        return slot < suspects_.size() && suspects_[slot].vertex == v;
+        return slot < candidates_.size() && candidates_[slot].vertex == v;
     }
 
     // To the wall, if that is within the contact distance.
@@ -128,9 +128,9 @@ private:
 
     // Successive chords. If the curve ends on the wall nearby, they are the wedge there.
     void visit_run(std::size_t first) {
-        std::vector<WallChord<Real>> run;
+        std::vector<BoundaryChord<Real>> run;
         for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
-            const WallChord<Real>& chord = chords_[at->second];
+            const BoundaryChord<Real>& chord = chords_[at->second];
             index_.erase(at);
             if (!is_sheet(complex_, chord.sheet)) {
                 break; // another film has opened here
@@ -148,10 +148,10 @@ private:
                                  : Real(0);
         const Real near = static_cast<Real>(length_of_wedge) * contact + work_.edge_length;
         // Held up for good, or at once where no vertex lands.
-        const auto is_pressed = [&](const WallChord<Real>& chord) {
+        const auto is_pressed = [&](const BoundaryChord<Real>& chord) {
             const Corner c = chord.sheet;
-            return is_stuck(c) || (is_held_up(work_, complex_.vertex(next(c))) &&
-                                   is_held_up(work_, complex_.vertex(prev(c))) &&
+            return is_stuck(c) || (is_blocked(work_, complex_.vertex(next(c))) &&
+                                   is_blocked(work_, complex_.vertex(prev(c))) &&
                                    !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
         };
         if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
@@ -161,7 +161,7 @@ private:
     }
 
     // Whether a chord may still open: what opened before it may have taken its edge, or the film.
-    [[nodiscard]] bool opens(WallChord<Real>& chord) const {
+    [[nodiscard]] bool opens(BoundaryChord<Real>& chord) const {
         if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
             return false;
         }
@@ -207,12 +207,12 @@ private:
                 return true;
             }
             length += direction(complex_, c).norm();
-        } while (length < near && is_held_up(work_, complex_.vertex(next(c))));
+        } while (length < near && is_blocked(work_, complex_.vertex(next(c))));
         return false;
     }
 
     // As between two sheets, of which the second one is the image of the first on the wall.
-    [[nodiscard]] bool is_squeezed_to_wall(const WallChord<Real>& chord) const {
+    [[nodiscard]] bool is_squeezed_to_wall(const BoundaryChord<Real>& chord) const {
         const Point<Real> foot = at(complex_.vertex(next(chord.ray.wall)));
         const Point<Real> along = direction(complex_, chord.ray.wall).normalized();
         std::array<Point<Real>, 4> now;
@@ -223,7 +223,7 @@ private:
             if ((record.flags & vertex_contact) != 0) {
                 return true; // the wall holds it up, if only for the first time
             }
-            if (record.slot >= suspects_.size() || suspects_[record.slot].vertex != v) {
+            if (record.slot >= candidates_.size() || candidates_[record.slot].vertex != v) {
                 return false;
             }
             const auto of_wall = [&](const Point<Real>& p) {
@@ -281,19 +281,19 @@ private:
 
     // The outline of the film goes on across junctions. The phases beyond it divide the film
     // between them, but each is asked for, and told of, by itself.
-    void open(std::vector<WallChord<Real>> run, EventKind kind) {
-        std::erase_if(run, [this](WallChord<Real>& chord) { return !opens(chord); });
+    void open(std::vector<BoundaryChord<Real>> run, EventKind kind) {
+        std::erase_if(run, [this](BoundaryChord<Real>& chord) { return !opens(chord); });
         if (run.empty()) {
             return;
         }
         const Phase film = complex_.phase_at(run.front().sheet);
         Real contact = 0;
-        for (const WallChord<Real>& chord : run) {
+        for (const BoundaryChord<Real>& chord : run) {
             contact = std::max(contact, contact_of(chord.sheet));
         }
         std::vector<Event> events;
         std::vector<Sheet> sheets;
-        for (std::span<WallChord<Real>> rest = run; !rest.empty();) {
+        for (std::span<BoundaryChord<Real>> rest = run; !rest.empty();) {
             const Phase taker = phase_beyond(complex_, rest.front().sheet);
             const auto others =
                 std::stable_partition(rest.begin(), rest.end(), [&](const auto& chord) {
@@ -302,7 +302,7 @@ private:
             const std::span part(rest.begin(), others);
             rest = {others, rest.end()};
             const auto& thinnest = *std::ranges::min_element(
-                part, {}, [](const WallChord<Real>& chord) { return chord.ray.thickness; });
+                part, {}, [](const BoundaryChord<Real>& chord) { return chord.ray.thickness; });
             const Event event{.kind = kind,
                               .time = work_.time,
                               .x = static_cast<double>(thinnest.ray.middle.x()),
@@ -316,7 +316,7 @@ private:
                                   .thickness = static_cast<double>(thinnest.ray.thickness)})) {
                 continue;
             }
-            for (const WallChord<Real>& chord : part) {
+            for (const BoundaryChord<Real>& chord : part) {
                 sheets.push_back({Vertex{complex_.vertex(next(chord.sheet))},
                                   Vertex{complex_.vertex(prev(chord.sheet))}});
             }
@@ -338,8 +338,8 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    std::span<const Suspect> suspects_;
-    std::vector<WallChord<Real>> chords_;
+    std::span<const Candidate> candidates_;
+    std::vector<BoundaryChord<Real>> chords_;
     std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
     bool is_refined_ = false;                       ///< the chords are to be found anew
 };
@@ -347,11 +347,11 @@ private:
 } // namespace
 
 template <class Real>
-void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
-    WallFilms<Real>(work, suspects).run();
+void open_wall_films(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    WallFilms<Real>(work, candidates).run();
 }
 
-template void open_wall_films(TopologyWork<double>&, std::span<const Suspect>);
-template void open_wall_films(TopologyWork<float>&, std::span<const Suspect>);
+template void open_wall_films(TopologyWork<double>&, std::span<const Candidate>);
+template void open_wall_films(TopologyWork<float>&, std::span<const Candidate>);
 
 } // namespace dsc

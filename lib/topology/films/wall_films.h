@@ -12,9 +12,9 @@
 
 namespace dsc {
 
-/// Opens films along the wall, among the suspects, in an order that depends only on where they lie.
-/// O(suspects * contact / edge length).
+/// Opens films along the wall, among the candidates, in an order that depends only on where they
+/// lie. O(candidates * contact / edge length).
 template <class Real>
-void open_wall_films(TopologyWork<Real>& work, std::span<const Suspect> suspects);
+void open_wall_films(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 } // namespace dsc

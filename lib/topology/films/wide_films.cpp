@@ -21,11 +21,11 @@ constexpr double rest_of_wide_film = 1.25;
 template <class Real>
 class WideFilms {
 public:
-    WideFilms(TopologyWork<Real>& work, std::span<const Suspect> suspects)
-        : work_(work), complex_(work.complex), suspects_(suspects) {}
+    WideFilms(TopologyWork<Real>& work, std::span<const Candidate> candidates)
+        : work_(work), complex_(work.complex), candidates_(candidates) {}
 
     void run() {
-        for (const std::vector<Corner>& place : find_thin_places(work_, suspects_)) {
+        for (const std::vector<Corner>& place : find_thin_places(work_, candidates_)) {
             visit(place);
         }
     }
@@ -77,7 +77,7 @@ private:
         const std::array<Corner, 2> sheets{chord.sheet, chord.ray.opposite};
         return work_.options.opening == Opening::squeezed
                    ? !are_ends_of_seam(work_, sheets[0], sheets[1]) &&
-                         is_squeezed(work_, suspects_, sheets)
+                         is_squeezed(work_, candidates_, sheets)
                    : !has_end_on_seam(sheets[0]) && !has_end_on_seam(sheets[1]);
     }
 
@@ -91,7 +91,7 @@ private:
     // A small piece with a seam about it is not part of a film, unless the flow squeezes it.
     bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
         return work_.options.opening == Opening::squeezed
-                   ? is_squeezed(work_, suspects_, {chord.sheet, chord.ray.opposite})
+                   ? is_squeezed(work_, candidates_, {chord.sheet, chord.ray.opposite})
                    : connection.is_far;
     }
 
@@ -206,7 +206,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    std::span<const Suspect> suspects_;
+    std::span<const Candidate> candidates_;
     std::vector<Chord<Real>> chords_; ///< of the place that is visited
     std::vector<Chord<Real>> seams_;  ///< of these: beside a seam
 };
@@ -214,11 +214,11 @@ private:
 } // namespace
 
 template <class Real>
-void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
-    WideFilms<Real>(work, suspects).run();
+void open_wide_films(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    WideFilms<Real>(work, candidates).run();
 }
 
-template void open_wide_films(TopologyWork<double>&, std::span<const Suspect>);
-template void open_wide_films(TopologyWork<float>&, std::span<const Suspect>);
+template void open_wide_films(TopologyWork<double>&, std::span<const Candidate>);
+template void open_wide_films(TopologyWork<float>&, std::span<const Candidate>);
 
 } // namespace dsc

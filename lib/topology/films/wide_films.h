@@ -25,10 +25,10 @@
 
 namespace dsc {
 
-/// Opens the films at the suspects for whose phases the contact distance is wide (`is_wide`), in an
-/// order that depends only on where they lie. O(suspects times the contact distance over the edge
-/// length), plus the length of the outline for each that opens.
+/// Opens the films at the candidates for whose phases the contact distance is wide (`is_wide`), in
+/// an order that depends only on where they lie. O(candidates times the contact distance over the
+/// edge length), plus the length of the outline for each that opens.
 template <class Real>
-void open_wide_films(TopologyWork<Real>& work, std::span<const Suspect> suspects);
+void open_wide_films(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 } // namespace dsc

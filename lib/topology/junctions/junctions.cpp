@@ -3,7 +3,7 @@
 
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
-#include "topology/junctions/coming_apart.h"
+#include "topology/junctions/junction_split.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
@@ -42,15 +42,15 @@ public:
         : work_(work), complex_(work.complex), submesh_(work.complex),
           shortest_(static_cast<Real>(exchange_length) * work.edge_length) {}
 
-    void run(std::span<const Suspect> suspects) {
+    void run(std::span<const Candidate> candidates) {
         std::vector<Vertex> list;
         // A sharp turn between two edges becomes a junction only where something has changed.
         const bool is_changed = !work_.touched.empty();
-        for (const auto& suspect : suspects) {
-            if ((is_changed ? suspect.is_sharp : suspect.is_junction) &&
-                complex_.is_alive(Vertex{suspect.vertex}) &&
-                may_come_apart(complex_, Vertex{suspect.vertex}, shortest_)) {
-                list.push_back(Vertex{suspect.vertex});
+        for (const auto& candidate : candidates) {
+            if ((is_changed ? candidate.is_sharp : candidate.is_junction) &&
+                complex_.is_alive(Vertex{candidate.vertex}) &&
+                may_split(complex_, Vertex{candidate.vertex}, shortest_)) {
+                list.push_back(Vertex{candidate.vertex});
             }
         }
         for (const Vertex v : in_order(complex_, list)) {
@@ -64,7 +64,7 @@ private:
     void visit(Vertex v) {
         find_sectors(complex_, v, here_);
         if (here_.size() > here_.stable() || (here_.is_at_corner && here_.size() == 2)) {
-            take_apart(work_, v);
+            split_junction(work_, v);
         } else if (here_.is_on_wall && here_.size() == 2) {
             exchange_on_wall(v);
         } else if (!here_.is_on_wall && here_.size() == 3) {
@@ -81,7 +81,7 @@ private:
         if (!left.is_valid()) {
             return false;
         }
-        take_apart(work_, left);
+        split_junction(work_, left);
         return true;
     }
 
@@ -241,8 +241,8 @@ private:
 } // namespace
 
 template <class Real>
-void change_junctions(TopologyWork<Real>& work, std::span<const Suspect> suspects) {
-    Junctions<Real>(work).run(suspects);
+void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    Junctions<Real>(work).run(candidates);
 }
 
 // What comes apart touches other vertices, which may have to come apart as well.
@@ -256,13 +256,13 @@ void take_touched_apart(TopologyWork<Real>& work) {
             }
         }
         for (const Vertex v : in_order<Real>(work.complex, touched)) {
-            take_apart(work, v);
+            split_junction(work, v);
         }
     }
 }
 
-template void change_junctions(TopologyWork<double>&, std::span<const Suspect>);
-template void change_junctions(TopologyWork<float>&, std::span<const Suspect>);
+template void change_junctions(TopologyWork<double>&, std::span<const Candidate>);
+template void change_junctions(TopologyWork<float>&, std::span<const Candidate>);
 template void take_touched_apart(TopologyWork<double>&);
 template void take_touched_apart(TopologyWork<float>&);
 

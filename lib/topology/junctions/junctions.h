@@ -18,10 +18,10 @@
 
 namespace dsc {
 
-/// Exchanges the neighbours of junctions among the suspects, and takes vertices with more sectors
+/// Exchanges the neighbours of junctions among the candidates, and takes vertices with more sectors
 /// than are stable apart. O(their degrees squared).
 template <class Real>
-void change_junctions(TopologyWork<Real>& work, std::span<const Suspect> suspects);
+void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 /// Takes the vertices of triangles that have changed hands apart where they have more sectors than
 /// are stable: films that opened and pieces that vanished may leave such vertices. O(their degrees

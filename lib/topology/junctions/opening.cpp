@@ -30,7 +30,7 @@ public:
         if (link_.size() == 2 && !split_far_edge(sector.first)) {
             return no_id;
         }
-        const std::size_t i = middle_spoke(sector);
+        const std::size_t i = middle_edge(sector);
         if (i == 0) {
             return no_id;
         }
@@ -40,12 +40,12 @@ public:
             return no_id;
         }
         for (std::size_t j = i - 1; j > 0; --j) {
-            if (!flip_spoke(j)) {
+            if (!flip_incident_edge(j)) {
                 return no_id;
             }
         }
         for (std::size_t j = i + 1; j + 1 < link_.size(); ++j) {
-            if (!flip_spoke(j)) {
+            if (!flip_incident_edge(j)) {
                 return no_id;
             }
         }
@@ -74,7 +74,7 @@ public:
             return no_id;
         }
         for (std::size_t step = 1; step < last; ++step) {
-            if (!flip_spoke(is_first ? step : last - step)) {
+            if (!flip_incident_edge(is_first ? step : last - step)) {
                 return no_id;
             }
         }
@@ -84,7 +84,7 @@ public:
 private:
     Point<Real> way_to(std::size_t i) const { return complex_.position(Vertex{link_[i]}) - place_; }
 
-    // The corner at v of the triangle that begins with the spoke to `end`.
+    // The corner at v of the triangle that begins with the incident edge to `end`.
     Corner corner_to(std::uint32_t end) const {
         return find_corner(complex_, v_, [&](Corner c) {
             return complex_.vertex(next(c)) == end && complex_.phase_at(c) == phase_;
@@ -106,9 +106,9 @@ private:
         return true;
     }
 
-    // The spoke nearest to the middle of the sector, less than 180 degrees from both its ends; 0 if
-    // there is none.
-    std::size_t middle_spoke(const Sector<Real>& sector) const {
+    // The incident edge nearest to the middle of the sector, less than 180 degrees from both its
+    // ends; 0 if there is none.
+    std::size_t middle_edge(const Sector<Real>& sector) const {
         const auto half = static_cast<Real>(sector.angle / 2);
         const Point<Real>& ray = sector.ray;
         const Point<Real> middle(ray.x() * std::cos(half) - ray.y() * std::sin(half),
@@ -142,7 +142,7 @@ private:
     }
 
     // Its other end becomes the new vertex.
-    bool flip_spoke(std::size_t i) {
+    bool flip_incident_edge(std::size_t i) {
         const Corner c = corner_to(link_[i]);
         return c != no_id && edge_flip(submesh_, prev(c)) == Verdict::legal;
     }

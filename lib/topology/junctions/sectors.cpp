@@ -78,7 +78,7 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
 }
 
 template <class Real>
-bool may_come_apart(const Complex<Real>& complex, Vertex v, Real shortest) {
+bool may_split(const Complex<Real>& complex, Vertex v, Real shortest) {
     const Point<Real> here = complex.position(v);
     const auto is_short = [&](std::uint32_t to) {
         return (complex.position(Vertex{to}) - here).squaredNorm() < shortest * shortest;
@@ -146,7 +146,7 @@ double energy_along_wall(const TopologyWork<Real>& work, Phase sector, Phase nei
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void find_sectors(const Complex<Real>&, Vertex, Sectors<Real>&);                      \
-    template bool may_come_apart(const Complex<Real>&, Vertex, Real);                              \
+    template bool may_split(const Complex<Real>&, Vertex, Real);                                   \
     template double angle_between(const Point<Real>&, const Point<Real>&);                         \
     template bool may_change(const TopologyWork<Real>&, Phase, Phase);                             \
     template double energy_between(const TopologyWork<Real>&, Phase, Phase);                       \

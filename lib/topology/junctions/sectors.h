@@ -50,7 +50,7 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
 /// edge along the interface, or along the wall from the end of a curve, that is shorter than
 /// `shortest`. For most vertices this is false, and cheaper than the sectors. O(degree).
 template <class Real>
-[[nodiscard]] bool may_come_apart(const Complex<Real>& complex, Vertex v, Real shortest);
+[[nodiscard]] bool may_split(const Complex<Real>& complex, Vertex v, Real shortest);
 
 /// Counter-clockwise from one direction to another: above 0, up to 2 pi.
 template <class Real>

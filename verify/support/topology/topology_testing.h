@@ -82,17 +82,17 @@ inline TopologyOptions<double> changing() {
 /// Changes the topology with everything suspected and nothing moving, at an edge length of 1.
 inline std::vector<Event> change(Complex<double>& complex,
                                  const TopologyOptions<double>& options = changing()) {
-    std::vector<Suspect> suspects;
+    std::vector<Candidate> candidates;
     auto& places = places_of(complex);
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
         places[v] = {p.x(), p.y()};
-        suspects.push_back({v.id, true, true, true, true});
+        candidates.push_back({v.id, true, true, true, true});
     }
     std::vector<Event> events;
     change_topology<double>(
         {.complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events},
-        suspects);
+        candidates);
     EXPECT_EQ(validate(complex).problem, "");
     return events;
 }

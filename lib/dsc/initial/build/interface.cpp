@@ -28,7 +28,7 @@ template <class Real>
 void remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
     Ring<Real> ring;
     if (gather(complex, Region{}, vertex, ring)) {
-        collapse_along(complex, ring, best_collapse(ring).spoke, stack);
+        collapse_along(complex, ring, best_collapse(ring).incident_edge, stack);
     }
 }
 

@@ -34,12 +34,13 @@ double worst_quality(const Ring<Real>& ring) {
 
 /// Into which neighbour to collapse the centre of a star.
 struct CollapseChoice {
-    std::uint32_t spoke = no_id; ///< none is legal
-    double quality = 0;          ///< of the worst triangle afterwards
+    std::uint32_t incident_edge = no_id; ///< none is legal
+    double quality = 0;                  ///< of the worst triangle afterwards
 };
 
-/// The neighbour that leaves the best worst triangle and no spoke longer than `longest`. For a star
-/// inside one phase; a vertex of the domain boundary may only go to its neighbours there.
+/// The neighbour that leaves the best worst triangle and no incident edge longer than `longest`.
+/// For a star inside one phase; a vertex of the domain boundary may only go to its neighbours
+/// there.
 template <class Real>
 CollapseChoice best_collapse(const Ring<Real>& ring,
                              double longest = std::numeric_limits<double>::infinity()) {
@@ -70,23 +71,24 @@ CollapseChoice best_collapse(const Ring<Real>& ring,
     return best;
 }
 
-/// Collapses the centre of a star into the link vertex at the end of this spoke, if there is one
-/// and that is legal, and restores the Delaunay property. Returns whether it was.
+/// Collapses the centre of a star into the link vertex at the end of this incident edge, if there
+/// is one and that is legal, and restores the Delaunay property. Returns whether it was.
 template <class Real>
-bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t spoke,
+bool collapse_along(Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t incident_edge,
                     std::vector<Corner>& stack) {
-    if (spoke == no_id) {
+    if (incident_edge == no_id) {
         return false;
     }
-    // A spoke is opposite to the previous corner of the triangle that begins with it; the last one
-    // of an open star to the next corner of the triangle that ends there.
-    const bool last = spoke == ring.size;
-    const Corner corner = last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[spoke]);
+    // An incident edge is opposite to the previous corner of the triangle that begins with it; the
+    // last one of an open star to the next corner of the triangle that ends there.
+    const bool last = incident_edge == ring.size;
+    const Corner corner =
+        last ? next(ring.corner[ring.size - 1]) : prev(ring.corner[incident_edge]);
     const auto end = last ? rewire::Vanishing::prev : rewire::Vanishing::next;
     if (edge_collapse(Submesh(complex), corner, end) != Verdict::legal) {
         return false;
     }
-    legalise_star(complex, ring.link[spoke], stack);
+    legalise_star(complex, ring.link[incident_edge], stack);
     return true;
 }
 

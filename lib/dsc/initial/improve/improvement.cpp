@@ -39,8 +39,8 @@ bool is_fine(const Complex<Real>& complex, std::uint32_t vertex, double length) 
     double shortest = std::numeric_limits<double>::infinity();
     const Point<Real> centre = complex.position(Vertex{vertex});
     for (const Vertex w : link_vertices(complex, Vertex{vertex})) {
-        const Point<Real> spoke = complex.position(w) - centre;
-        shortest = std::min(shortest, spoke.template cast<double>().norm());
+        const Point<Real> incident_edge = complex.position(w) - centre;
+        shortest = std::min(shortest, incident_edge.template cast<double>().norm());
     }
     return shortest < fine_below * length;
 }
@@ -55,7 +55,7 @@ constexpr double largest_radius = 0.75;
 constexpr double longest_side = 1.4;
 // Sides shorter than that are not split for a centre that comes too near to them.
 constexpr double shortest_side = 0.8;
-// A vertex all of whose spokes are shorter than this, over its target, is removed...
+// A vertex all of whose incident edges are shorter than this, over its target, is removed...
 constexpr double crowded = 0.95;
 // ...if edges are not longer than this afterwards, and triangles no worse.
 constexpr double longest_after = 1.5;
@@ -162,7 +162,8 @@ std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t
             continue;
         }
         const CollapseChoice best = best_collapse(ring, longest_after * target);
-        if (best.quality > quality_after && collapse_along(complex, ring, best.spoke, stack)) {
+        if (best.quality > quality_after &&
+            collapse_along(complex, ring, best.incident_edge, stack)) {
             ++removed;
         }
     }

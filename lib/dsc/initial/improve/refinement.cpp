@@ -153,7 +153,8 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
         Corner longest = no_id;
         double length = split_above * edge_length;
         for_each_corner(complex, Vertex{v}, [&](Corner c) {
-            // The spoke at the counter-clockwise side of the triangle, opposite to its next corner.
+            // The incident edge at the counter-clockwise side of the triangle, opposite to its next
+            // corner.
             const double candidate =
                 (position_of(complex, complex.vertex(prev(c))) - position_of(complex, v)).norm();
             if (candidate > length && !is_constrained(complex, next(c))) {

@@ -91,7 +91,7 @@ void search(Trial<Real>& trial, double reach) {
     }
 }
 
-// The mean of the link and the mean length of the spokes.
+// The mean of the link and the mean length of the incident edges.
 struct Link {
     double x = 0;
     double y = 0;
@@ -165,7 +165,7 @@ std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone
         }
         const CollapseChoice best = best_collapse(ring, longest_edge * edge_length);
         if (best.quality >= before + collapse_gain &&
-            collapse_along(complex, ring, best.spoke, stack)) {
+            collapse_along(complex, ring, best.incident_edge, stack)) {
             ++collapses;
         }
     }

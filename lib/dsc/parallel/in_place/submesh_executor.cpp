@@ -194,7 +194,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     for (const Colour& colour : partition_.colours) {
         for (std::size_t i = 0; i < colour.regions.size() && works_.size() < wanted; ++i) {
             Part& part = *parts_[works_.size()];
-            part.work.upkeep = algorithm_.upkeep;
+            part.work.remeshing = algorithm_.remeshing;
             part.work.submesh.region = colour.regions[i].simplest();
             part.work.submesh.pool = colour.regions[i].is_whole() ? &complex_.ids : part.pool;
             if (works_.size() >= kept) {
@@ -236,12 +236,12 @@ std::uint32_t SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
 // access to all it owns: it cannot reach anything that is in none of these.
 template <class Real>
 void SubmeshExecutor<Real>::connect() {
-    aiming_.tasks.clear();
+    targets_schedule_.tasks.clear();
     moving_.tasks.clear();
     if (parts_.empty()) {
         return;
     }
-    aiming_.tasks.add_colour(first_colour_);
+    targets_schedule_.tasks.add_colour(first_colour_);
     std::size_t before = 0; // first part of the colour before
     std::size_t first = 0;
     for (std::size_t c = 0; c < partition_.colours.size(); ++c) {

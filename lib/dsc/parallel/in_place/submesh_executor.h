@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC (thesis, sections 6 and 8.10) in place: the submeshes of the first colour run
-// upkeep, movement and mesh update at the same time and hand on what their boundaries kept from
+// remeshing, movement and mesh update at the same time and hand on what their boundaries kept from
 // being done; a submesh of the next colour begins when those that it meets have ended; what all
 // colours left is done serially. The regions, the order within a submesh and the pools of ids do
 // not depend on threads: the result is the same to the bit for any number of them.
@@ -29,8 +29,8 @@ public:
     ~SubmeshExecutor() override;
 
     void begin_step() override;
-    AimReport<Real> aim(const Flow<Real>& flow, Real time, Real dt) override;
-    Reach<Real> aim_again(const Flow<Real>& flow, Real time, Real dt) override;
+    TargetReport<Real> compute_targets(const Flow<Real>& flow, Real time, Real dt) override;
+    Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt) override;
     MoveReport move() override;
     void end_step() override;
     void archive(Archive& archive) override;
@@ -61,22 +61,22 @@ private:
     [[nodiscard]] std::uint32_t next_epochs();
     // Tasks.
     void begin_part(Part& part);
-    void aim_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
+    void targets_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
     void move_part(std::size_t task);
     void take_routed(Work<Real>& work, const DeferredQueue<Real>& queue, std::size_t task);
     void take(Work<Real>& work, const Deferred<Real>& one);
     void route(Part& part);
     // Between and after them.
-    AimReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
+    TargetReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
     void unlist(std::span<const std::uint32_t> vertices);
     void hand_out_resized();
     void send_home();
     void clean_up(MoveReport& report);
     void put_back();
     // Flows that see the interface: submesh_sight.cpp.
-    AimReport<Real> aim_together(const Flow<Real>& flow, Real time, Real dt);
+    TargetReport<Real> compute_targets_together(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
-    void hand_out_aims();
+    void distribute_targets();
     [[nodiscard]] std::size_t owner_of(std::uint32_t vertex, std::size_t hint = 0) const;
     [[nodiscard]] Point<double> place_of(std::uint32_t vertex) const;
     [[nodiscard]] std::vector<float> work_of(const std::vector<std::uint32_t>& list) const;
@@ -99,7 +99,7 @@ private:
     std::uint64_t generation_ = 0;                   // of the complex's ids that lent their pools
     std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their lists have room
     std::size_t first_colour_ = 0;                   // parts of the first colour
-    Schedule aiming_;
+    Schedule targets_schedule_;
     Schedule moving_;
     Schedule sharing_;
     ThreadPool pool_;

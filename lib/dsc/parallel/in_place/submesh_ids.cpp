@@ -8,7 +8,7 @@ namespace dsc {
 namespace {
 
 /// Ids that each submesh holds in addition to one for each of its interface vertices; what does not
-/// fit is put off to the next colour, never lost.
+/// fit is deferred to the next colour, never lost.
 constexpr std::size_t spare_vertices = 64;
 
 } // namespace

@@ -40,21 +40,24 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     list.clear();
 }
 
-// Interface vertices in no list, and those that came into another submesh: aimed by now, they move
-// in the submesh that owns them, and are listed there when the sub-step is over.
+// Interface vertices in no list, and those that came into another submesh: targets by now, they
+// move in the submesh that owns them, and are listed there when the sub-step is over.
 template <class Real>
 void SubmeshExecutor<Real>::send_home() {
     const auto to_owner = [this](Deferred<Real> one) {
         one.route = static_cast<std::uint32_t>(owner_of(one.vertex));
         whole_.deferred.entries.push_back(one);
     };
-    for (const Mover<Real>& mover : whole_.movers) {
-        to_owner({.vertex = mover.vertex, .x = mover.x, .y = mover.y, .kind = DeferredKind::mover});
+    for (const MovingVertex<Real>& moving_vertex : whole_.moving_vertices) {
+        to_owner({.vertex = moving_vertex.vertex,
+                  .x = moving_vertex.x,
+                  .y = moving_vertex.y,
+                  .kind = DeferredKind::moving_vertex});
     }
     for (const std::uint32_t v : whole_.interface) {
         to_owner({.vertex = v, .kind = DeferredKind::listing});
     }
-    whole_.movers.clear();
+    whole_.moving_vertices.clear();
     whole_.interface.clear();
 }
 
@@ -72,9 +75,9 @@ void SubmeshExecutor<Real>::put_back() {
         }
         work->active.clear();
         work->deferred.clear();
-        work->movers.clear();
+        work->moving_vertices.clear();
     }
-    if (progress_ == Progress::aimed) { // every vertex of the interface is in a list
+    if (progress_ == Progress::has_targets) { // every vertex of the interface is in a list
         for (const std::uint32_t v : whole_.interface) {
             home_of(v).interface.push_back(v);
         }

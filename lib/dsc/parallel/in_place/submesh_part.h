@@ -7,7 +7,7 @@
 
 namespace dsc {
 
-/// One submesh: its work, its ids, and where the work that it put off goes.
+/// One submesh: its work, its ids, and where the work that it deferred goes.
 template <class Real>
 struct SubmeshExecutor<Real>::Part {
     Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
@@ -20,29 +20,30 @@ struct SubmeshExecutor<Real>::Part {
     std::size_t next_first = 0;   // number of its first part
 
     std::uint64_t examined = 0; // stars, since the last division
-    AimReport<Real> aimed;
+    TargetReport<Real> targets;
     MoveReport moved;
-    double aim_s = 0; // of the last sub-step, if times are measured
+    double targets_s = 0; // of the last sub-step, if times are measured
     double move_s = 0;
 
-    // Room for so many vertices of the interface, and for the movers and stars that come with them.
-    // Short lists of two submeshes next to each other on the heap would share cache lines, and the
-    // threads would contend for them at each push. Not much more than is filled, though: memory
-    // that is touched for the first time costs microseconds a page.
+    // Room for so many vertices of the interface, and for the moving_vertices and stars that come
+    // with them. Short lists of two submeshes next to each other on the heap would share cache
+    // lines, and the threads would contend for them at each push. Not much more than is filled,
+    // though: memory that is touched for the first time costs microseconds a page.
     void make_room(std::size_t vertices) {
         const auto reserve = [vertices](auto&... lists) { (lists.reserve(vertices), ...); };
-        reserve(work.interface, work.interface_next, work.movers, work.active, work.suspects,
-                work.deferred.entries);
-        reserve(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first,
-                work.aim.scratch.stage, work.aim.scratch.slope, work.aim.scratch.sum);
+        reserve(work.interface, work.interface_next, work.moving_vertices, work.active,
+                work.candidates, work.deferred.entries);
+        reserve(work.trajectory.positions, work.trajectory.targets, work.trajectory.held,
+                work.trajectory.scratch.first, work.trajectory.scratch.stage,
+                work.trajectory.scratch.slope, work.trajectory.scratch.sum);
         reserve(pool->vertices, pool->triangles);
     }
 
-    void forget_aims() {
-        work.aim.positions.clear();
-        work.aim.targets.clear();
-        work.aim.held.clear();
-        work.aim.scratch.first.clear();
+    void drop_targets() {
+        work.trajectory.positions.clear();
+        work.trajectory.targets.clear();
+        work.trajectory.held.clear();
+        work.trajectory.scratch.first.clear();
     }
 };
 

@@ -8,7 +8,7 @@
 
 namespace dsc {
 
-// Joins all lists once upkeep is over: those of the submeshes, and of what is on its way between
+// Joins all lists once remeshing is over: those of the submeshes, and of what is on its way between
 // them.
 template <class Real>
 void SubmeshExecutor<Real>::join_interface() {
@@ -29,21 +29,24 @@ void SubmeshExecutor<Real>::join_interface() {
 }
 
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>& flow, Real time, Real dt) {
+TargetReport<Real> SubmeshExecutor<Real>::compute_targets_together(const Flow<Real>& flow,
+                                                                   Real time, Real dt) {
     join_interface();
-    const AimReport<Real> report = this->sight_->aim(joined_, ends_, flow, time, dt);
-    hand_out_aims();
+    const TargetReport<Real> report = this->sight_->compute_targets(joined_, ends_, flow, time, dt);
+    distribute_targets();
     return report;
 }
 
-// Back to the submeshes that have the vertices in their lists: `collect_movers` reads it there.
+// Back to the submeshes that have the vertices in their lists: `collect_moving_vertices` reads it
+// there.
 template <class Real>
-void SubmeshExecutor<Real>::hand_out_aims() {
-    const Aim<Real>& from = joined_.aim;
+void SubmeshExecutor<Real>::distribute_targets() {
+    const Trajectory<Real>& from = joined_.trajectory;
     std::size_t begin = 0;
     for (std::size_t range = 0; range < ends_.size(); ++range) {
         const std::size_t end = ends_[range];
-        Aim<Real>& to = range < first_colour_ ? parts_[range]->work.aim : whole_.aim;
+        Trajectory<Real>& to =
+            range < first_colour_ ? parts_[range]->work.trajectory : whole_.trajectory;
         const auto take = [&](const auto& all, auto& part) {
             assign(part, std::span(all).subspan(begin, end - begin));
         };
@@ -56,8 +59,9 @@ void SubmeshExecutor<Real>::hand_out_aims() {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template AimReport<Real> SubmeshExecutor<Real>::aim_together(const Flow<Real>&, Real, Real);   \
-    template void SubmeshExecutor<Real>::hand_out_aims();
+    template TargetReport<Real> SubmeshExecutor<Real>::compute_targets_together(const Flow<Real>&, \
+                                                                                Real, Real);       \
+    template void SubmeshExecutor<Real>::distribute_targets();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -10,7 +10,7 @@ namespace dsc {
 
 // --- tasks -------------------------------------------------------------------------------------
 
-// Decides where the work goes that was put off since the last call.
+// Decides where the work goes that was deferred since the last call.
 template <class Real>
 void SubmeshExecutor<Real>::route(Part& part) {
     Work<Real>& work = part.work;
@@ -34,7 +34,7 @@ void SubmeshExecutor<Real>::route(Part& part) {
 template <class Real>
 void SubmeshExecutor<Real>::begin_part(Part& part) {
     part.work.deferred.clear();
-    part.aim_s = 0;
+    part.targets_s = 0;
     const Region& region = part.work.submesh.region;
     std::erase_if(part.work.interface, [&](std::uint32_t v) {
         const Point<double> place = place_of(v);
@@ -46,41 +46,41 @@ void SubmeshExecutor<Real>::begin_part(Part& part) {
     });
 }
 
-// One pass of upkeep; after the last one, velocities and targets.
+// One pass of remeshing; after the last one, velocities and targets.
 template <class Real>
-void SubmeshExecutor<Real>::aim_part(Part& part, std::size_t pass, const Flow<Real>& flow,
-                                     Real time, Real dt) {
+void SubmeshExecutor<Real>::targets_part(Part& part, std::size_t pass, const Flow<Real>& flow,
+                                         Real time, Real dt) {
     Timer timer(parallel_.profile);
     Work<Real>& work = part.work;
     if (pass == 0) {
         begin_part(part);
         work.dt = dt;
     }
-    if (pass < algorithm_.upkeep.size()) {
-        run_pass(work, algorithm_.upkeep[pass]);
+    if (pass < algorithm_.remeshing.size()) {
+        run_pass(work, algorithm_.remeshing[pass]);
     }
-    if (pass + 1 >= algorithm_.upkeep.size()) {
+    if (pass + 1 >= algorithm_.remeshing.size()) {
         if (flow.needs_all()) {
-            part.aimed = {};
-            part.forget_aims(); // until the whole interface can be seen
+            part.targets = {};
+            part.drop_targets(); // until the whole interface can be seen
         } else {
-            part.aimed = aim_along(work, *flow.velocity(), time, dt);
+            part.targets = targets_along(work, *flow.velocity(), time, dt);
         }
     }
-    part.aim_s += timer.lap();
+    part.targets_s += timer.lap();
 }
 
-// A star, or a vertex on its way; upkeep and lists have been seen to between the two sections.
+// A star, or a vertex on its way; remeshing and lists have been seen to between the two sections.
 template <class Real>
 void SubmeshExecutor<Real>::take(Work<Real>& work, const Deferred<Real>& one) {
-    if (one.kind == DeferredKind::mover) {
-        work.movers.push_back(one.mover());
+    if (one.kind == DeferredKind::moving_vertex) {
+        work.moving_vertices.push_back(one.moving_vertex());
     } else if (one.kind == DeferredKind::star && complex_.is_alive(Vertex{one.vertex})) {
         work.activate(one.vertex);
     }
 }
 
-// What was put off for this submesh, by one that it waited for or in between the sections.
+// What was deferred for this submesh, by one that it waited for or in between the sections.
 template <class Real>
 void SubmeshExecutor<Real>::take_routed(Work<Real>& work, const DeferredQueue<Real>& queue,
                                         std::size_t task) {
@@ -98,9 +98,9 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     Work<Real>& work = part.work;
     const bool is_first = task < first_colour_;
     part.moved = {};
-    work.movers.clear();
+    work.moving_vertices.clear();
     if (is_first) {
-        part.moved.held = collect_movers(work);
+        part.moved.held = collect_moving_vertices(work);
         take_routed(work, whole_.deferred, task);
     } else {
         work.deferred.clear();
@@ -109,21 +109,21 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
         }
     }
     std::uint32_t epoch = work.epoch;
-    if (is_first || !work.movers.empty() || !work.active.empty()) {
+    if (is_first || !work.moving_vertices.empty() || !work.active.empty()) {
         part.moved.passes = run_motion(work, algorithm_.motion, epoch);
     }
     // A vertex that is blocked here may find room once others have moved, unless it is in contact,
     // or this submesh had all the room that there is.
     if (!work.submesh.region.is_whole()) {
-        std::erase_if(work.movers, [&](const auto& mover) {
-            const bool may_find_room = !is_in_contact(complex_.vertices[mover.vertex]);
+        std::erase_if(work.moving_vertices, [&](const auto& moving_vertex) {
+            const bool may_find_room = !is_in_contact(complex_.vertices[moving_vertex.vertex]);
             if (may_find_room) {
-                work.deferred.mover(mover);
+                work.deferred.moving_vertex(moving_vertex);
             }
             return may_find_room;
         });
     }
-    part.moved.unreached = give_up_movers(work);
+    part.moved.unreached = give_up_moving_vertices(work);
     route(part);
     part.move_s = timer.lap();
 }
@@ -131,9 +131,10 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
 // --- the step ----------------------------------------------------------------------------------
 
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Real dt) {
+TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>& flow, Real time,
+                                                          Real dt) {
     if (parts_.empty()) {
-        return Executor<Real>::aim(flow, time, dt);
+        return Executor<Real>::compute_targets(flow, time, dt);
     }
     Timer timer(parallel_.profile);
     progress_ = Progress::under_way;
@@ -151,47 +152,47 @@ AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>& flow, Real time, Re
     }
     const double set_up = timer.lap();
     // A pass may move what the next one looks at across a boundary, so each has its own section.
-    const std::size_t sections = std::max<std::size_t>(algorithm_.upkeep.size(), 1);
+    const std::size_t sections = std::max<std::size_t>(algorithm_.remeshing.size(), 1);
     std::size_t pass = 0;
-    const auto task = [&](std::size_t i) { aim_part(*parts_[i], pass, flow, time, dt); };
+    const auto task = [&](std::size_t i) { targets_part(*parts_[i], pass, flow, time, dt); };
     for (; pass < sections; ++pass) {
-        aiming_.run(pool_, threads_, parallel_.assignment, std::cref(task));
+        targets_schedule_.run(pool_, threads_, parallel_.assignment, std::cref(task));
     }
     const double wall = timer.lap();
     this->collect_edits();
-    AimReport<Real> report;
+    TargetReport<Real> report;
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        report += parts_[i]->aimed;
+        report += parts_[i]->targets;
     }
     report += hand_over(flow, time, dt);
     this->collect_edits();
     if (flow.needs_all()) {
-        report = aim_together(flow, time, dt);
+        report = compute_targets_together(flow, time, dt);
     }
     if (parallel_.profile) {
         SubStepProfile& profile = profile_.emplace_back();
         profile.set_up = set_up;
-        profile.aim_wall = wall;
+        profile.targets_wall = wall;
         profile.hand_over = timer.lap();
         for (std::size_t i = 0; i < first_colour_; ++i) {
-            profile.aim.push_back(parts_[i]->aim_s);
+            profile.targets.push_back(parts_[i]->targets_s);
         }
     }
-    progress_ = Progress::aimed;
+    progress_ = Progress::has_targets;
     return report;
 }
 
-// What upkeep may not touch in any submesh, and vertices that have left theirs: they are few and
-// handled here. Those that are new to a submesh are aimed here as well, and listed when the
+// What remeshing may not touch in any submesh, and vertices that have left theirs: they are few and
+// handled here. Those that are new to a submesh are targets here as well, and listed when the
 // sub-step is over.
 template <class Real>
-AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
+TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
     whole_.interface.clear();
     whole_.stars.clear();
     listed_.clear();
     for (std::size_t i = 0; i < first_colour_; ++i) {
         for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {
-            if (one.kind == DeferredKind::upkeep) {
+            if (one.kind == DeferredKind::remeshing) {
                 listed_.push_back(one.vertex);
             } else if (one.kind == DeferredKind::listing &&
                        std::ranges::count(home_of(one.vertex).changed_interface, one.vertex) == 0) {
@@ -214,7 +215,7 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     // Listed vertices that are still there stay listed; the others are new in some submesh. A
     // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
     // Any other that a pass of an application has changed is listed in the whole by now.
-    std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of upkeep
+    std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of remeshing
     assign(there, whole_.interface);
     std::ranges::sort(there);
     std::vector<std::uint32_t>& gone = whole_.changed; // scratch of run_pass
@@ -234,11 +235,12 @@ AimReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real ti
     unlist(gone);
     std::erase_if(whole_.interface,
                   [this](std::uint32_t v) { return std::ranges::binary_search(listed_, v); });
-    return flow.needs_all() ? AimReport<Real>{} : aim_along(whole_, *flow.velocity(), time, dt);
+    return flow.needs_all() ? TargetReport<Real>{}
+                            : targets_along(whole_, *flow.velocity(), time, dt);
 }
 
-// Removes vertices (ascending) from the lists that have them, together with their aims. O(interface
-// vertices, times the logarithm of their number), if there are any.
+// Removes vertices (ascending) from the lists that have them, together with their targets.
+// O(interface vertices, times the logarithm of their number), if there are any.
 template <class Real>
 void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
     for (std::size_t i = 0; i < first_colour_ && !vertices.empty(); ++i) {
@@ -259,31 +261,32 @@ void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
             (keep_in(lists), ...);
         };
         keep(work.interface);
-        if (!work.aim.positions.empty()) {
-            keep(work.aim.positions, work.aim.targets, work.aim.held, work.aim.scratch.first);
+        if (!work.trajectory.positions.empty()) {
+            keep(work.trajectory.positions, work.trajectory.targets, work.trajectory.held,
+                 work.trajectory.scratch.first);
         }
     }
 }
 
 template <class Real>
-Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>& flow, Real time, Real dt) {
+Reach<Real> SubmeshExecutor<Real>::recompute_targets(const Flow<Real>& flow, Real time, Real dt) {
     if (parts_.empty()) {
-        return Executor<Real>::aim_again(flow, time, dt);
+        return Executor<Real>::recompute_targets(flow, time, dt);
     }
     if (flow.needs_all()) {
-        const Reach<Real> reach = this->sight_->aim_again(flow, time, dt);
-        hand_out_aims();
+        const Reach<Real> reach = this->sight_->recompute_targets(flow, time, dt);
+        distribute_targets();
         return reach;
     }
     const Velocity<Real>& velocity = *flow.velocity();
     const auto task = [&](std::size_t i) {
         Part& part = *parts_[i];
-        part.aimed.reach = find_targets(part.work, velocity, time, dt);
+        part.targets.reach = find_targets(part.work, velocity, time, dt);
     };
-    aiming_.run(pool_, threads_, parallel_.assignment, std::cref(task));
+    targets_schedule_.run(pool_, threads_, parallel_.assignment, std::cref(task));
     Reach<Real> reach = find_targets(whole_, velocity, time, dt);
     for (std::size_t i = 0; i < first_colour_; ++i) {
-        reach += parts_[i]->aimed.reach;
+        reach += parts_[i]->targets.reach;
     }
     return reach;
 }
@@ -340,22 +343,23 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
             }
         }
     }
-    if (!whole_.movers.empty() || !whole_.active.empty()) {
+    if (!whole_.moving_vertices.empty() || !whole_.active.empty()) {
         const MoveReport rest = this->move_whole();
         report.passes = std::max(report.passes, rest.passes);
         report.unreached += rest.unreached;
     }
     // A stage may set free those that did not arrive.
     for (const auto& part : parts_) {
-        std::vector<Mover<Real>>& missed = part->work.movers;
-        append(whole_.movers, missed);
+        std::vector<MovingVertex<Real>>& missed = part->work.moving_vertices;
+        append(whole_.moving_vertices, missed);
         missed.clear();
     }
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template AimReport<Real> SubmeshExecutor<Real>::aim(const Flow<Real>&, Real, Real);            \
-    template Reach<Real> SubmeshExecutor<Real>::aim_again(const Flow<Real>&, Real, Real);          \
+    template TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>&, Real,    \
+                                                                       Real);                      \
+    template Reach<Real> SubmeshExecutor<Real>::recompute_targets(const Flow<Real>&, Real, Real);  \
     template MoveReport SubmeshExecutor<Real>::move();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

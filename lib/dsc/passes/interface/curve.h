@@ -21,16 +21,17 @@ bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<R
     return !complex.is_corner(Vertex{vertex}) && turns_less<Real>(from, at, to, Real(0));
 }
 
-/// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along `spoke`. On
-/// the domain boundary the curve ends.
+/// Sets p0, p1, p2 and has_first, for the interface edge that leaves the centre along
+/// `incident_edge`. On the domain boundary the curve ends.
 template <class Real>
-void see_from_centre(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes,
-                     std::uint32_t spoke, CurveNeighbours<Real>& curve) {
+void see_from_centre(const Complex<Real>& complex, const Ring<Real>& ring,
+                     const IncidentEdges& incident, std::uint32_t incident_edge,
+                     CurveNeighbours<Real>& curve) {
     curve.p1 = {ring.x0, ring.y0};
-    curve.p2 = link_point(ring, spoke);
+    curve.p2 = link_point(ring, incident_edge);
     curve.has_first = false;
-    if (spokes.count == 2 && ring.closed) {
-        curve.p0 = link_point(ring, spokes.other(spoke));
+    if (incident.count == 2 && ring.closed) {
+        curve.p0 = link_point(ring, incident.other(incident_edge));
         curve.has_first = is_smooth<Real>(complex, ring.vertex, curve.p0, curve.p1, curve.p2);
     }
 }
@@ -39,11 +40,11 @@ void see_from_centre(const Complex<Real>& complex, const Ring<Real>& ring, const
 template <class Real>
 void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std::uint32_t from,
                      CurveNeighbours<Real>& curve) {
-    const Spokes spokes = interface_spokes(beyond);
+    const IncidentEdges incident = interface_edges_of(beyond);
     curve.has_last = false;
-    if (spokes.count == 2 && beyond.closed) {
-        const bool first_is_from = beyond.link[spokes.first] == from;
-        curve.p3 = link_point(beyond, first_is_from ? spokes.second : spokes.first);
+    if (incident.count == 2 && beyond.closed) {
+        const bool first_is_from = beyond.link[incident.first] == from;
+        curve.p3 = link_point(beyond, first_is_from ? incident.second : incident.first);
         curve.has_last = is_smooth<Real>(complex, beyond.vertex, curve.p1, curve.p2, curve.p3);
     }
 }
@@ -52,10 +53,12 @@ void see_from_beyond(const Complex<Real>& complex, const Ring<Real>& beyond, std
 /// interface, if it is no farther away than one triangle. Edges that continue the centre's own are
 /// not another sheet. Infinity if there is none. O(degree).
 template <class Real>
-Real squared_gap(const Complex<Real>& complex, const Ring<Real>& ring, const Spokes& spokes) {
+Real squared_gap(const Complex<Real>& complex, const Ring<Real>& ring,
+                 const IncidentEdges& incident) {
     Real gap = std::numeric_limits<Real>::infinity();
     const auto is_own = [&](std::uint32_t i) {
-        return spokes.count > 0 && (i == spokes.first || (spokes.count > 1 && i == spokes.second));
+        return incident.count > 0 &&
+               (i == incident.first || (incident.count > 1 && i == incident.second));
     };
     for (std::uint32_t i = 0; i < ring.size; ++i) {
         const std::uint32_t next_link = ring.closed && i + 1 == ring.size ? 0 : i + 1;

@@ -139,9 +139,9 @@ private:
     // Of a vertex of one curve, in the order of `arc_ends`.
     Real turn_at(std::uint32_t v) {
         (void)gather(complex_, Region{}, v, ring_);
-        const Spokes spokes = interface_spokes(ring_);
-        return turn_angle<Real>(link_point(ring_, spokes.first), {ring_.x0, ring_.y0},
-                                link_point(ring_, spokes.second));
+        const IncidentEdges incident = interface_edges_of(ring_);
+        return turn_angle<Real>(link_point(ring_, incident.first), {ring_.x0, ring_.y0},
+                                link_point(ring_, incident.second));
     }
 
     // The ends of the arcs on both sides of a vertex of one curve inside the domain; the vertices
@@ -150,12 +150,12 @@ private:
         if (!gather(complex_, Region{}, v, ring_)) {
             return std::nullopt;
         }
-        const Spokes spokes = interface_spokes(ring_);
-        if (spokes.count != 2) {
+        const IncidentEdges incident = interface_edges_of(ring_);
+        if (incident.count != 2) {
             return std::nullopt;
         }
-        const std::array<std::uint32_t, 2> first{ring_.link[spokes.first],
-                                                 ring_.link[spokes.second]};
+        const std::array<std::uint32_t, 2> first{ring_.link[incident.first],
+                                                 ring_.link[incident.second]};
         return Ends{arc_end(v, first[0], near), arc_end(v, first[1], near)};
     }
 
@@ -167,15 +167,15 @@ private:
             if (length >= arc_ || !gather(complex_, Region{}, next, ring_)) {
                 return end;
             }
-            const Spokes spokes = interface_spokes(ring_);
-            if (spokes.count != 2 || !ring_.closed || next == v) {
+            const IncidentEdges incident = interface_edges_of(ring_);
+            if (incident.count != 2 || !ring_.closed || next == v) {
                 return end; // a junction, a side of the domain, or a curve shorter than the arc
             }
             if (near != nullptr) {
                 near->push_back(next);
             }
-            const bool is_first = ring_.link[spokes.first] == from;
-            from = std::exchange(next, ring_.link[is_first ? spokes.second : spokes.first]);
+            const bool is_first = ring_.link[incident.first] == from;
+            from = std::exchange(next, ring_.link[is_first ? incident.second : incident.first]);
         }
     }
 

@@ -39,27 +39,27 @@ StarLimits<Real> star_limits(const Options<Real>& options, Phase phase, Real len
             square(static_cast<Real>(t.crowded) * length)};
 }
 
-/// Whether the lengths of the spokes call for an edit.
+/// Whether the lengths of the incident edges call for an edit.
 template <class Real>
 bool is_out_of_size(const StarReport<Real>& star, const StarLimits<Real>& limits) {
     return star.longest > limits.longest || star.shortest < limits.shortest ||
            star.longest < limits.crowded;
 }
 
-/// A spoke to be split; `no_id` if there is none.
-struct NeedleSpoke {
-    std::uint32_t spoke = no_id;
-    std::uint32_t base = no_id; ///< the spoke beside it that is the short interface edge
+/// An incident edge to be split; `no_id` if there is none.
+struct NeedleEdge {
+    std::uint32_t incident_edge = no_id;
+    std::uint32_t base = no_id; ///< the incident edge beside it that is the short interface edge
 };
 
-/// The longest spoke beside an interface edge of the star that is longer than the edge by more than
-/// the grading, whose square is given. O(degree).
+/// The longest incident edge beside an interface edge of the star that is longer than the edge by
+/// more than the grading, whose square is given. O(degree).
 template <class Real>
-NeedleSpoke needle_spoke(const Ring<Real>& ring, Real grading_squared) {
+NeedleEdge needle_edge(const Ring<Real>& ring, Real grading_squared) {
     Real longest = 0;
-    NeedleSpoke found;
+    NeedleEdge found;
     const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
-        const Real squared = ring.squared_spoke(i);
+        const Real squared = ring.squared_edge(i);
         if (squared > allowed && squared > longest && !ring.is_constrained(i)) {
             longest = squared;
             found = {i, beside};
@@ -69,7 +69,7 @@ NeedleSpoke needle_spoke(const Ring<Real>& ring, Real grading_squared) {
     for (std::uint32_t i = 0; i < n; ++i) {
         if (ring.is_constrained(i) && ring.phase_before(i) != border_phase &&
             ring.phase_after(i) != border_phase) {
-            const Real allowed = grading_squared * ring.squared_spoke(i);
+            const Real allowed = grading_squared * ring.squared_edge(i);
             if (i > 0 || ring.closed) {
                 look_at(i > 0 ? i - 1 : n - 1, i, allowed);
             }

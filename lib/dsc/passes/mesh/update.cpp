@@ -4,7 +4,7 @@
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "dsc/passes/mesh/size_upkeep.h"
+#include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/mesh/star.h"
 #include "dsc/passes/waiting.h"
 #include "dsc/passes/wall.h"
@@ -46,12 +46,12 @@ public:
                 return;
             }
             if (waiting_.applies() && waits(work_, waiting_, ring_)) {
-                put_off(work_, v);
+                deferred(work_, v);
                 return;
             }
             ++work_.log.counts.examined;
             const StarReport<Real> star = examine(ring_, margins_);
-            if (star.delaunay < 0 && flip_spokes()) {
+            if (star.delaunay < 0 && flip_incident_edges()) {
                 continue;
             }
             if (!limits_are_fixed_) {
@@ -62,7 +62,7 @@ public:
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
-                // The mover of a vertex that has yet to arrive knows it by its id.
+                // The moving_vertex of a vertex that has yet to arrive knows it by its id.
                 const bool has_arrived = (complex_.vertices[v].flags & vertex_on_way) == 0;
                 if (has_arrived &&
                     (poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
@@ -75,11 +75,11 @@ public:
                 }
             }
             if (!ring_.closed) {
-                const WallUpkeep done = keep_wall(v, star, length);
-                if (done == WallUpkeep::gone) {
+                const BoundaryRemeshing done = keep_wall(v, star, length);
+                if (done == BoundaryRemeshing::gone) {
                     return;
                 }
-                if (done == WallUpkeep::split) {
+                if (done == BoundaryRemeshing::split) {
                     continue;
                 }
             }
@@ -136,12 +136,12 @@ private:
     }
 
     // --- flips --------------------------------------------------------------------------------
-    bool flip_spokes() {
+    bool flip_incident_edges() {
         const std::uint64_t before = work_.log.counts.flips;
-        work_.suspects.clear();
+        work_.candidates.clear();
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             if (margins_[i] < 0) {
-                work_.suspects.push_back(prev(ring_.corner[i]));
+                work_.candidates.push_back(prev(ring_.corner[i]));
             }
         }
         drain();
@@ -151,7 +151,7 @@ private:
     // The edges of the ring's triangles, after its centre moved: data that the ring holds are not
     // looked up again, and only edges that fail are put on the list.
     void continue_edges() {
-        work_.suspects.clear();
+        work_.candidates.clear();
         (void)examine(ring_, margins_);
         const Point<Real> centre(ring_.x0, ring_.y0);
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
@@ -159,10 +159,10 @@ private:
             if (complex_.phase_at(across) == ring_.phase[i] &&
                 !is_delaunay<Real>(centre, {ring_.x[i], ring_.y[i]}, apex(across),
                                    {ring_.x_next[i], ring_.y_next[i]})) {
-                work_.suspects.push_back(ring_.corner[i]);
+                work_.candidates.push_back(ring_.corner[i]);
             }
             if (margins_[i] < 0) {
-                work_.suspects.push_back(prev(ring_.corner[i]));
+                work_.candidates.push_back(prev(ring_.corner[i]));
             }
         }
         drain();
@@ -175,12 +175,12 @@ private:
     }
 
     void drain() {
-        auto& suspects = work_.suspects;
+        auto& candidates = work_.candidates;
         std::size_t flips = 0;
         const Region& region = work_.submesh.region;
-        while (!suspects.empty()) {
-            const Corner c = suspects.back();
-            suspects.pop_back();
+        while (!candidates.empty()) {
+            const Corner c = candidates.back();
+            candidates.pop_back();
             // Its triangle is of an owned star, or of a flip there: owned, if it is alive.
             const TriangleRecord& near = complex_.triangles[triangle_of(c)];
             if (near.v[0] == no_id) {
@@ -198,7 +198,7 @@ private:
             }
             if (!owns(complex_, region, complex_.vertex(o)) ||
                 (waiting_.applies() && waits_around(work_, waiting_, c))) {
-                put_off(work_, complex_.vertex(next(c)));
+                deferred(work_, complex_.vertex(next(c)));
                 continue;
             }
             // All four vertices are owned: the region need not be consulted.
@@ -208,10 +208,10 @@ private:
             }
             rewire::flip(complex_, work_.log, c);
             ++flips;
-            suspects.push_back(c);
-            suspects.push_back(prev(c));
-            suspects.push_back(o);
-            suspects.push_back(prev(o));
+            candidates.push_back(c);
+            candidates.push_back(prev(c));
+            candidates.push_back(o);
+            candidates.push_back(prev(o));
         }
     }
 
@@ -222,19 +222,20 @@ private:
             // Degree three: the link is the triangle that will remain.
             return ring_.size == 3 && finish_collapse(0);
         }
-        // A short spoke may cost quality, down to where the star would be collapsed for that.
+        // A short incident edge may cost quality, down to where the star would be collapsed for
+        // that.
         const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
         Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
-        std::uint32_t best_spoke = no_id;
+        std::uint32_t best_edge = no_id;
         for (std::uint32_t i = 0; i < ring_.size; ++i) {
             const Real after = worst_quality_squared_after_collapse(ring_, i);
             if (after > best && longest_after_collapse(ring_, i) <= longest_about(i, limit) &&
                 keeps_grading(complex_, ring_, grading_squared_, i)) {
                 best = after;
-                best_spoke = i;
+                best_edge = i;
             }
         }
-        return best_spoke != no_id && finish_collapse(best_spoke);
+        return best_edge != no_id && finish_collapse(best_edge);
     }
 
     /// How long the edges of link vertex i may become by a collapse, squared.
@@ -254,9 +255,9 @@ private:
         Ring<Real>& star = work_.other_ring;
         if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
             examine(star, margins_).delaunay < 0) {
-            work_.suspects.clear();
+            work_.candidates.clear();
             for (std::uint32_t j = 0; j < star.size; ++j) {
-                work_.suspects.push_back(prev(star.corner[j]));
+                work_.candidates.push_back(prev(star.corner[j]));
             }
             drain();
         }
@@ -264,24 +265,25 @@ private:
     }
 
     // --- walls of the exterior phase ----------------------------------------------------------
-    enum class WallUpkeep : std::uint8_t { none, gone, split };
+    enum class BoundaryRemeshing : std::uint8_t { none, gone, split };
 
-    WallUpkeep keep_wall(std::uint32_t v, const StarReport<Real>& star, Real length) {
+    BoundaryRemeshing keep_wall(std::uint32_t v, const StarReport<Real>& star, Real length) {
         const bool is_exterior_first = ring_.phase[0] == exterior_phase;
         // Edges of one length need no look from their other end.
         const bool is_exterior_last =
             !sizes_.is_uniform() && ring_.phase[ring_.size - 1] == exterior_phase;
         if (!is_exterior_first && !is_exterior_last) {
-            return WallUpkeep::none;
+            return BoundaryRemeshing::none;
         }
         const Limits& limit = is_exterior_first ? limits_ : limits(exterior_phase, length);
         const bool is_poor = star.quality < limit.collapse;
-        const WallLimits<Real> wall{limit.longest, limit.shortest,
-                                    std::sqrt(std::clamp(star.quality, Real(0), limit.collapse)),
-                                    blocking_squared * limit.shortest};
+        const BoundaryLimits<Real> wall{
+            limit.longest, limit.shortest,
+            std::sqrt(std::clamp(star.quality, Real(0), limit.collapse)),
+            blocking_squared * limit.shortest};
         if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
             sizes_.look_again(ring_);
-            return WallUpkeep::gone;
+            return BoundaryRemeshing::gone;
         }
         for (const bool is_first : {true, false}) {
             if (!(is_first ? is_exterior_first : is_exterior_last) ||
@@ -289,14 +291,14 @@ private:
                 continue;
             }
             const SplitResult result = split_wall(work_, ring_, is_first);
-            if (is_put_off(result.verdict)) {
+            if (is_deferred(result.verdict)) {
                 work_.deferred.star(v);
             }
             if (result.verdict == Verdict::legal) {
-                return WallUpkeep::split;
+                return BoundaryRemeshing::split;
             }
         }
-        return WallUpkeep::none;
+        return BoundaryRemeshing::none;
     }
 
     // --- smoothing ----------------------------------------------------------------------------
@@ -340,21 +342,21 @@ private:
     // --- refinement ---------------------------------------------------------------------------
     bool split_longest(Real length, const Limits& limit, bool mixed) {
         Real longest = 0;
-        std::uint32_t spoke = no_id;
+        std::uint32_t incident_edge = no_id;
         for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
-            const Real squared = ring_.squared_spoke(i);
+            const Real squared = ring_.squared_edge(i);
             const Real allowed = mixed ? limits(ring_.phase[i], length).longest : limit.longest;
             if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
                 longest = squared;
-                spoke = i;
+                incident_edge = i;
             }
         }
-        return spoke != no_id && split_spoke(spoke);
+        return incident_edge != no_id && split_incident_edge(incident_edge);
     }
 
     bool split_beside_short() {
-        const NeedleSpoke found = needle_spoke(ring_, grading_squared_);
-        if (found.spoke == no_id) {
+        const NeedleEdge found = needle_edge(ring_, grading_squared_);
+        if (found.incident_edge == no_id) {
             return false;
         }
         // While an end of the short edge waits for another submesh to move something first, the
@@ -368,19 +370,19 @@ private:
         // A thin film consists of needles from sheet to sheet: a vertex inside would have no room,
         // and would be removed again.
         Ring<Real>& beyond = work_.other_ring;
-        return gather(complex_, work_.submesh.region, ring_.link[found.spoke], beyond) &&
-               beyond.one_phase && split_spoke(found.spoke);
+        return gather(complex_, work_.submesh.region, ring_.link[found.incident_edge], beyond) &&
+               beyond.one_phase && split_incident_edge(found.incident_edge);
     }
 
-    bool split_spoke(std::uint32_t spoke) {
+    bool split_incident_edge(std::uint32_t incident_edge) {
         const Point<Real> middle =
-            midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[spoke], ring_.y[spoke]});
+            midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[incident_edge], ring_.y[incident_edge]});
         if (!owns_place(work_.submesh.region, middle)) {
             work_.deferred.star(ring_.vertex);
             return false;
         }
         const SplitResult result =
-            dsc::split(work_, prev(ring_.corner[spoke]), middle, Wake::far_end);
+            dsc::split(work_, prev(ring_.corner[incident_edge]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
             work_.deferred.star(ring_.vertex);
         }
@@ -390,14 +392,14 @@ private:
     Work<Real>& work_;
     Complex<Real>& complex_;
     Ring<Real>& ring_;
-    SizeUpkeep<Real> sizes_;
+    SizeUpdate<Real> sizes_;
     Real grading_squared_;
     // Squared quality of a needle with a base of 1 and legs of the grading; 0: none are split.
     Real needle_;
     // One phase is like another, and all edges have one length: the same limits everywhere.
     bool limits_are_fixed_;
-    Limits limits_;              // of the star that is being visited
-    SpokeMargins<Real> margins_; // of the star that was examined last
+    Limits limits_;                     // of the star that is being visited
+    IncidentEdgeMargins<Real> margins_; // of the star that was examined last
     WaitingRule waiting_ = waiting_rule(work_);
     bool is_unfinished_ = false; // a visit has run out of turns
 };

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::interface_upkeep_test {
+namespace dsc::interface_remeshing_test {
 namespace {
 
 using test::options_for;
@@ -42,7 +42,7 @@ Complex<double> complex_of(const Outline& outline) {
     return initial_complex<double>({}, shapes, {.edge_length = h, .detail = Detail::keep});
 }
 
-// Runs upkeep repeatedly until nothing changes any more.
+// Runs remeshing repeatedly until nothing changes any more.
 struct Kept {
     Complex<double> complex;
     OperationCounts counts;
@@ -58,7 +58,7 @@ Kept keep_up(const Outline& outline, const Options<double>& options) {
     work.interface = collect_interface(kept.complex);
     for (int round = 0; round < 60 && !kept.ended; ++round) {
         work.log.counts = {};
-        upkeep_interface(work);
+        remesh_interface(work);
         EXPECT_EQ(validate(kept.complex).problem, "");
         kept.counts += work.log.counts;
         kept.ended = work.log.counts.interface_splits + work.log.counts.interface_collapses == 0;
@@ -160,7 +160,7 @@ double largest_turn(const Complex<double>& complex, double shortest) {
     Ring<double> ring;
     for (const std::uint32_t v : collect_interface(complex)) {
         EXPECT_TRUE(gather(complex, Region{}, v, ring));
-        const Spokes s = interface_spokes(ring);
+        const IncidentEdges s = interface_edges_of(ring);
         const Point<double> p(ring.x0, ring.y0);
         const Point<double> a = link_point(ring, s.first);
         const Point<double> b = link_point(ring, s.second);
@@ -209,14 +209,14 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
         work.interface = collect_interface(complex);
         mark_corners(complex, work.interface, options.interface.corner_degrees, 0.0);
         for (int round = 0; round < 10; ++round) {
-            upkeep_interface(work);
+            remesh_interface(work);
         }
         EXPECT_EQ(validate(complex).problem, "");
         double longest = 0;
         Ring<double> ring;
         for (const std::uint32_t v : work.interface) {
             ASSERT_TRUE(gather(complex, Region{}, v, ring));
-            const Spokes s = interface_spokes(ring);
+            const IncidentEdges s = interface_edges_of(ring);
             const Point<double> p(ring.x0, ring.y0);
             longest = std::max(longest, (link_point(ring, s.first) - p).norm());
         }
@@ -239,12 +239,12 @@ TEST(Sizes, KnowNoGapToTheSameSheet) {
         Ring<double> ring;
         for (const std::uint32_t v : collect_interface(complex)) {
             ASSERT_TRUE(gather(complex, Region{}, v, ring));
-            const Spokes spokes = interface_spokes(ring);
-            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, spokes)));
+            const IncidentEdges incident = interface_edges_of(ring);
+            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, incident)));
             for (std::uint32_t i = 0; i < ring.size; ++i) {
-                const bool is_beside = i == spokes.first || i == spokes.second ||
-                                       (i + 1) % ring.size == spokes.first ||
-                                       (i + 1) % ring.size == spokes.second;
+                const bool is_beside = i == incident.first || i == incident.second ||
+                                       (i + 1) % ring.size == incident.first ||
+                                       (i + 1) % ring.size == incident.second;
                 const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
                 cut += is_beside && across != ring.phase[i] ? 1U : 0U;
             }
@@ -350,4 +350,4 @@ TEST(Grading, FillsTheMeshBesideShortEdges) {
 }
 
 } // namespace
-} // namespace dsc::interface_upkeep_test
+} // namespace dsc::interface_remeshing_test

@@ -17,7 +17,7 @@ inline constexpr double opened_length = 0.25;
 /// points farthest to the left. A curve that is left in a corner of the domain, and lies nearly
 /// along a wall there, goes on along that wall. O(degree squared).
 template <class Real>
-void take_apart(TopologyWork<Real>& work, Vertex v);
+void split_junction(TopologyWork<Real>& work, Vertex v);
 
 /// The same, and what is left in a corner goes on along the wall beside which `lost` is, if the
 /// curve becomes shorter by that.

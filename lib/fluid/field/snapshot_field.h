@@ -11,7 +11,7 @@
 namespace dsc {
 
 /// A triangle with its six nodes.
-struct FrozenTriangle {
+struct SnapshotTriangle {
     /// The vertices, counter-clockwise, then the midpoints of the edges opposite to them.
     std::array<std::uint32_t, 6> nodes;
     std::array<std::uint32_t, 3> across; ///< triangles beyond these edges; no_id: outside
@@ -19,7 +19,7 @@ struct FrozenTriangle {
 };
 
 /// An edge between two phases.
-struct FrozenEdge {
+struct SnapshotEdge {
     std::uint32_t from;   ///< a vertex
     std::uint32_t to;     ///< the other end
     std::uint32_t middle; ///< the node between them
@@ -29,24 +29,24 @@ struct FrozenEdge {
 
 /// A copy of a complex with a number for each edge. Node i is the vertex of that id, for i below
 /// `vertex_bound`; the others are the midpoints of edges.
-struct FrozenMesh {
-    Rectangle domain;                       ///< the box around all vertices
-    std::uint32_t vertex_bound = 0;         ///< of the complex
-    std::vector<Point<double>> nodes;       ///< positions; (0, 0) for free ids
-    std::vector<FrozenTriangle> triangles;  ///< the living ones
-    std::vector<FrozenEdge> interface;      ///< each edge between two phases once
-    std::vector<std::uint32_t> triangle_at; ///< by vertex id: one of its triangles, or no_id
+struct MeshSnapshot {
+    Rectangle domain;                        ///< the box around all vertices
+    std::uint32_t vertex_bound = 0;          ///< of the complex
+    std::vector<Point<double>> nodes;        ///< positions; (0, 0) for free ids
+    std::vector<SnapshotTriangle> triangles; ///< the living ones
+    std::vector<SnapshotEdge> interface;     ///< each edge between two phases once
+    std::vector<std::uint32_t> triangle_at;  ///< by vertex id: one of its triangles, or no_id
 };
 
 /// O(n).
-[[nodiscard]] FrozenMesh freeze(const Complex<double>& complex);
+[[nodiscard]] MeshSnapshot freeze(const Complex<double>& complex);
 
 /// The area of a triangle. O(1).
-[[nodiscard]] double area(const FrozenMesh& mesh, const FrozenTriangle& triangle);
+[[nodiscard]] double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle);
 
 /// Where a search may begin: at the triangle of a vertex that had this id in the mesh, else at the
 /// first one. Which triangle is found, and with it the last bits, depends on nothing else.
-[[nodiscard]] std::uint32_t start_at(const FrozenMesh& mesh, std::uint32_t vertex);
+[[nodiscard]] std::uint32_t start_at(const MeshSnapshot& mesh, std::uint32_t vertex);
 
 /// A point of a mesh.
 struct Spot {
@@ -56,12 +56,12 @@ struct Spot {
 
 /// The spot of a point, which is first moved into the domain. It begins at the triangle `start`.
 /// O(triangles on the way).
-[[nodiscard]] Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start);
+[[nodiscard]] Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t start);
 
 /// A solution at one time. Reading is thread-safe.
 struct FluidField {
-    FrozenMesh mesh; ///< in which it was found
-    double time = 0; ///< of the solution
+    MeshSnapshot mesh; ///< in which it was found
+    double time = 0;   ///< of the solution
     /// By node; linear along each interface edge, quadratic elsewhere.
     std::vector<Point<double>> velocity = {};
     /// By triangle, at its vertices: linear, continuous in each phase, with a jump where phases

@@ -25,9 +25,9 @@ void activate_resized(Work<Real>& work) {
 }
 
 template <class Real>
-class SizeUpkeep {
+class SizeUpdate {
 public:
-    explicit SizeUpkeep(Work<Real>& work)
+    explicit SizeUpdate(Work<Real>& work)
         : work_(work), rule_(work.options.sizes, work.options.edge_length),
           field_(work.options.sizes.is_uniform() ? nullptr : &size_field(work.complex)) {}
 
@@ -84,7 +84,7 @@ private:
 
     void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {
         for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            const Real rise = rule_.slope() * std::sqrt(ring.squared_spoke(i));
+            const Real rise = rule_.slope() * std::sqrt(ring.squared_edge(i));
             const Real theirs = at(ring.link[i]);
             // It falls with this one...
             const bool falls = theirs > (now + rise) * (1 + rule_.slack());
@@ -102,8 +102,8 @@ private:
     SizeField<Real>* field_;
 };
 
-/// The vertices whose spokes are too long or too short for the targets of `size_field`: those that
-/// the mesh update has to visit first. Ascending. O(n).
+/// The vertices whose incident edges are too long or too short for the targets of `size_field`:
+/// those that the mesh update has to visit first. Ascending. O(n).
 template <class Real>
 std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Real>& options) {
     const SizeField<Real>* field = options.sizes.is_uniform() ? nullptr : &size_field(complex);

@@ -18,9 +18,9 @@ namespace dsc {
 namespace {
 
 template <class Real>
-class Upkeep {
+class Remeshing {
 public:
-    explicit Upkeep(Work<Real>& work)
+    explicit Remeshing(Work<Real>& work)
         : work_(work), complex_(work.complex), thresholds_(work.options.interface),
           longest_squared_(square(thresholds_.longest)),
           shortest_squared_(square(thresholds_.shortest)),
@@ -79,52 +79,53 @@ private:
             work_.interface_next.push_back(v);
             return;
         }
-        const Spokes spokes = interface_spokes(ring);
+        const IncidentEdges incident = interface_edges_of(ring);
         if (!ring.owned) {
             // Nobody rewrites the triangles that straddle two submeshes, or moves their vertices:
             // what there is to do can be seen from here, except beyond the link, as for a gap.
-            if (gap_squared_ > 0 || should_collapse(ring, spokes) ||
-                long_spoke(ring, spokes) != no_id || wants_wall_upkeep(ring)) {
-                work_.deferred.upkeep(v);
-            } else if (spokes.count > 0) {
-                keep(ring, spokes);
+            if (gap_squared_ > 0 || should_collapse(ring, incident) ||
+                long_edge(ring, incident) != no_id || wants_boundary_remeshing(ring)) {
+                work_.deferred.remeshing(v);
+            } else if (incident.count > 0) {
+                keep(ring, incident);
             }
             work_.interface_next.push_back(v);
-        } else if (spokes.count == 0) {
+        } else if (incident.count == 0) {
             if (ring.one_phase && ring.closed && work_.options.carries(ring.phase[0])) {
                 work_.interface_next.push_back(v);
             }
-        } else if (!(should_collapse(ring, spokes) && try_collapse(ring, spokes)) &&
-                   !(wants_wall_upkeep(ring) && keep_wall(v, ring)) && !refine(v, ring, spokes)) {
-            keep(ring, spokes);
-            show(ring, spokes);
+        } else if (!(should_collapse(ring, incident) && try_collapse(ring, incident)) &&
+                   !(wants_boundary_remeshing(ring) && keep_wall(v, ring)) &&
+                   !refine(v, ring, incident)) {
+            keep(ring, incident);
+            show(ring, incident);
         }
     }
 
-    void keep(const Ring<Real>& ring, const Spokes& spokes) {
+    void keep(const Ring<Real>& ring, const IncidentEdges& incident) {
         if (ring.closed && ring.size <= KeptStar::capacity &&
             complex_.vertices[ring.vertex].stamp != work_.epoch) {
-            work_.stars.push_back(keep_star(complex_, ring, spokes));
+            work_.stars.push_back(keep_star(complex_, ring, incident));
         }
     }
 
-    void show(const Ring<Real>& ring, const Spokes& spokes) {
-        for (const Pass<Real>& pass : work_.upkeep) {
+    void show(const Ring<Real>& ring, const IncidentEdges& incident) {
+        for (const Pass<Real>& pass : work_.remeshing) {
             if (pass.watch) {
-                pass.watch(work_, ring, spokes);
+                pass.watch(work_, ring, incident);
             }
         }
     }
 
     // --- the interface along the domain boundary ----------------------------------------------
-    bool wants_wall_upkeep(const Ring<Real>& ring) const {
+    bool wants_boundary_remeshing(const Ring<Real>& ring) const {
         return !ring.closed &&
                (should_collapse_on_wall(ring, wall_at(ring)) ||
                 (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_at(ring))));
     }
 
     // The wall's edges are as fine as the interface where that is finer than the edge length.
-    WallLimits<Real> wall_at(const Ring<Real>& ring) const {
+    BoundaryLimits<Real> wall_at(const Ring<Real>& ring) const {
         const Real share = std::min(Real(1), stretch({ring.x0, ring.y0}));
         return {share * wall_.longest, share * wall_.shortest, wall_.least_quality,
                 share * wall_.blocking};
@@ -133,14 +134,15 @@ private:
     // A short wall edge goes, even where the edge that is left is so long that it is split again,
     // if it is in the way of the end of a curve, or of a vertex that slides into a corner of the
     // domain.
-    bool may_collapse_on_wall(const Ring<Real>& ring, const WallLimits<Real>& wall) {
+    bool may_collapse_on_wall(const Ring<Real>& ring, const BoundaryLimits<Real>& wall) {
         if (!should_collapse_on_wall(ring, wall)) {
             return false;
         }
         if (merged_on_wall(ring) < wall.longest) {
             return true;
         }
-        const bool is_first = wall_spoke(ring, true).squared < wall_spoke(ring, false).squared;
+        const bool is_first =
+            boundary_edge(ring, true).squared < boundary_edge(ring, false).squared;
         if (!see_end(ring, is_first ? 0 : ring.size)) {
             return false;
         }
@@ -149,12 +151,13 @@ private:
                                                    link_point(end, end.size)) != 0;
     }
 
-    // The star at the other end of a spoke, in `other_ring`. False if it cannot be seen from here.
-    bool see_end(const Ring<Real>& ring, std::uint32_t spoke) {
+    // The star at the other end of an incident edge, in `other_ring`. False if it cannot be seen
+    // from here.
+    bool see_end(const Ring<Real>& ring, std::uint32_t incident_edge) {
         Ring<Real>& end = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, ring.link[spoke], end);
+        const bool gathered = gather(complex_, work_.submesh.region, ring.link[incident_edge], end);
         if (!end.owned) {
-            work_.deferred.upkeep(ring.vertex);
+            work_.deferred.remeshing(ring.vertex);
             return false;
         }
         return gathered;
@@ -162,7 +165,7 @@ private:
 
     // True if the ring is stale; the vertices to be kept in the list have then been put there.
     bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
-        const WallLimits<Real> wall = wall_at(ring);
+        const BoundaryLimits<Real> wall = wall_at(ring);
         if (may_collapse_on_wall(ring, wall) && collapse_on_wall(work_, ring, wall)) {
             return true;
         }
@@ -170,8 +173,8 @@ private:
             return false;
         }
         const SplitResult result = split_wall(work_, ring);
-        if (is_put_off(result.verdict)) {
-            work_.deferred.upkeep(v);
+        if (is_deferred(result.verdict)) {
+            work_.deferred.remeshing(v);
         }
         if (result.verdict != Verdict::legal) {
             return false;
@@ -182,22 +185,22 @@ private:
     }
 
     // --- coarsening ---------------------------------------------------------------------------
-    bool should_collapse(const Ring<Real>& ring, const Spokes& spokes) {
-        if (thresholds_.coarsening == Coarsening::never || spokes.count != 2 || !ring.closed ||
+    bool should_collapse(const Ring<Real>& ring, const IncidentEdges& incident) {
+        if (thresholds_.coarsening == Coarsening::never || incident.count != 2 || !ring.closed ||
             is_corner(ring.vertex)) {
             return false;
         }
         const Point<Real> p(ring.x0, ring.y0);
-        const Point<Real> a = link_point(ring, spokes.first);
-        const Point<Real> b = link_point(ring, spokes.second);
+        const Point<Real> a = link_point(ring, incident.first);
+        const Point<Real> b = link_point(ring, incident.second);
         const Real nearest = std::min(squared_distance(p, a), squared_distance(p, b));
         const Real here = stretch(p);
         if (nearest >= here * shortest_squared_) {
             return false;
         }
         if (const Real merged = squared_distance(a, b);
-            merged >= allowed(longest_squared(ring, spokes), a, b) &&
-            (merged >= here * bypass_squared_ || !is_ahead_of_end(ring, spokes))) {
+            merged >= allowed(longest_squared(ring, incident), a, b) &&
+            (merged >= here * bypass_squared_ || !is_ahead_of_end(ring, incident))) {
             return false;
         }
         if (nearest < here * degenerate_squared_ &&
@@ -206,29 +209,29 @@ private:
         }
         return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
-                squared_deviation(ring, spokes) < here * deviation_squared_);
+                squared_deviation(ring, incident) < here * deviation_squared_);
     }
 
     // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary.
     // If such an end moves along the curve, the centre is in its way and has to go, even if the
     // merged edge is then so long that it is split again.
-    bool is_ahead_of_end(const Ring<Real>& ring, const Spokes& spokes) {
+    bool is_ahead_of_end(const Ring<Real>& ring, const IncidentEdges& incident) {
         const Point<Real> p(ring.x0, ring.y0);
-        const bool is_first = squared_distance(p, link_point(ring, spokes.first)) <
-                              squared_distance(p, link_point(ring, spokes.second));
-        if (!see_end(ring, is_first ? spokes.first : spokes.second)) {
+        const bool is_first = squared_distance(p, link_point(ring, incident.first)) <
+                              squared_distance(p, link_point(ring, incident.second));
+        if (!see_end(ring, is_first ? incident.first : incident.second)) {
             return false;
         }
         const Ring<Real>& end = work_.other_ring;
-        return !end.closed || interface_spokes(end).count != 2;
+        return !end.closed || interface_edges_of(end).count != 2;
     }
 
     // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
-    Real squared_deviation(const Ring<Real>& ring, const Spokes& spokes) {
+    Real squared_deviation(const Ring<Real>& ring, const IncidentEdges& incident) {
         const Point<Real> p(ring.x0, ring.y0);
         CurveNeighbours<Real> curve;
-        curve.p1 = link_point(ring, spokes.first);
-        curve.p2 = link_point(ring, spokes.second);
+        curve.p1 = link_point(ring, incident.first);
+        curve.p2 = link_point(ring, incident.second);
         const Point<Real> chord = curve.p2 - curve.p1;
         if (thresholds_.reading == Reading::chords) {
             const Point<Real> offset = p - curve.p1;
@@ -238,8 +241,8 @@ private:
         // The cubic over the gap, at the share of the chord length at which the centre was.
         const Real before = (p - curve.p1).norm();
         const Real share = before / (before + (curve.p2 - p).norm());
-        if (!see_past(ring, spokes.first, curve.p0, curve.has_first) ||
-            !see_past(ring, spokes.second, curve.p3, curve.has_last)) {
+        if (!see_past(ring, incident.first, curve.p0, curve.has_first) ||
+            !see_past(ring, incident.second, curve.p3, curve.has_last)) {
             return 0;
         }
         const Point<Real> off = p - curve_point(curve, share);
@@ -247,28 +250,29 @@ private:
         return across * across / chord.squaredNorm();
     }
 
-    // The vertex that follows the one at the end of a spoke, away from the centre. False if only
-    // another submesh can see its star.
-    bool see_past(const Ring<Real>& ring, std::uint32_t spoke, Point<Real>& next, bool& has_next) {
+    // The vertex that follows the one at the end of an incident edge, away from the centre. False
+    // if only another submesh can see its star.
+    bool see_past(const Ring<Real>& ring, std::uint32_t incident_edge, Point<Real>& next,
+                  bool& has_next) {
         Ring<Real>& beyond = work_.other_ring;
-        if (!gather(complex_, work_.submesh.region, ring.link[spoke], beyond)) {
+        if (!gather(complex_, work_.submesh.region, ring.link[incident_edge], beyond)) {
             return beyond.owned;
         }
         CurveNeighbours<Real> on;
         on.p1 = {ring.x0, ring.y0};
-        on.p2 = link_point(ring, spoke);
+        on.p2 = link_point(ring, incident_edge);
         see_from_beyond(complex_, beyond, ring.vertex, on);
         next = on.p3;
         has_next = on.has_last;
         return true;
     }
 
-    bool try_collapse(Ring<Real>& ring, const Spokes& spokes) {
+    bool try_collapse(Ring<Real>& ring, const IncidentEdges& incident) {
         const Point<Real> p(ring.x0, ring.y0);
-        const Real to_a = (link_point(ring, spokes.first) - p).squaredNorm();
-        const Real to_b = (link_point(ring, spokes.second) - p).squaredNorm();
-        const std::uint32_t nearer = to_a < to_b ? spokes.first : spokes.second;
-        for (const std::uint32_t i : {nearer, spokes.other(nearer)}) {
+        const Real to_a = (link_point(ring, incident.first) - p).squaredNorm();
+        const Real to_b = (link_point(ring, incident.second) - p).squaredNorm();
+        const std::uint32_t nearer = to_a < to_b ? incident.first : incident.second;
+        for (const std::uint32_t i : {nearer, incident.other(nearer)}) {
             if (collapse_centre(work_, ring, prev(ring.corner[i]), rewire::Vanishing::next) ==
                 Verdict::legal) {
                 return true;
@@ -279,19 +283,19 @@ private:
 
     // --- refinement ---------------------------------------------------------------------------
     // How long an interface edge at the centre may be, squared, as the shape there requires.
-    Real longest_squared(const Ring<Real>& ring, const Spokes& spokes) const {
-        if (!follows_shape_ || spokes.count != 2) {
+    Real longest_squared(const Ring<Real>& ring, const IncidentEdges& incident) const {
+        if (!follows_shape_ || incident.count != 2) {
             return longest_squared_;
         }
         Real longest = longest_squared_;
         // The angle at which a curve meets the domain boundary is not a bend of the curve.
         if (turn_squared_ > 0 && ring.closed && !is_corner(ring.vertex)) {
-            const Real bend = curvature<Real>(link_point(ring, spokes.first), {ring.x0, ring.y0},
-                                              link_point(ring, spokes.second));
+            const Real bend = curvature<Real>(link_point(ring, incident.first), {ring.x0, ring.y0},
+                                              link_point(ring, incident.second));
             longest = std::min(longest, turn_squared_ / (bend * bend));
         }
         if (gap_squared_ > 0) {
-            longest = std::min(longest, gap_squared_ * squared_gap(complex_, ring, spokes));
+            longest = std::min(longest, gap_squared_ * squared_gap(complex_, ring, incident));
         }
         return std::max(longest, finest_squared_);
     }
@@ -299,9 +303,9 @@ private:
     // The interface edge to be split; no_id if there is none. An edge longer than the general limit
     // is found only from the end that has the larger phase on its left, so that each edge is found
     // once. An edge too long for the shape at the centre is found from there.
-    std::uint32_t long_spoke(const Ring<Real>& ring, const Spokes& spokes) const {
+    std::uint32_t long_edge(const Ring<Real>& ring, const IncidentEdges& incident) const {
         const Point<Real> p(ring.x0, ring.y0);
-        const Real local = longest_squared(ring, spokes);
+        const Real local = longest_squared(ring, incident);
         std::uint32_t found = no_id;
         Real longest = 0;
         const auto look_at = [&](std::uint32_t i) {
@@ -318,9 +322,9 @@ private:
                 longest = squared;
             }
         };
-        if (spokes.count == 2) { // as nearly always
-            look_at(spokes.first);
-            look_at(spokes.second);
+        if (incident.count == 2) { // as nearly always
+            look_at(incident.first);
+            look_at(incident.second);
             return found;
         }
         for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
@@ -331,11 +335,11 @@ private:
 
     // Splits at most one edge, because the ring is stale then; the other edges of a junction wait
     // for the next step. True if it has.
-    bool refine(std::uint32_t v, Ring<Real>& ring, const Spokes& spokes) {
+    bool refine(std::uint32_t v, Ring<Real>& ring, const IncidentEdges& incident) {
         newest_ = no_id;
-        if (const std::uint32_t i = long_spoke(ring, spokes);
-            i != no_id && !split(v, ring, spokes, i)) {
-            work_.deferred.upkeep(v);
+        if (const std::uint32_t i = long_edge(ring, incident);
+            i != no_id && !split(v, ring, incident, i)) {
+            work_.deferred.remeshing(v);
         }
         work_.interface_next.push_back(v);
         if (newest_ != no_id) {
@@ -344,9 +348,10 @@ private:
         return newest_ != no_id;
     }
 
-    bool split(std::uint32_t v, const Ring<Real>& ring, const Spokes& spokes, std::uint32_t i) {
+    bool split(std::uint32_t v, const Ring<Real>& ring, const IncidentEdges& incident,
+               std::uint32_t i) {
         CurveNeighbours<Real> curve;
-        see_from_centre(complex_, ring, spokes, i, curve);
+        see_from_centre(complex_, ring, incident, i, curve);
         Ring<Real>& beyond = work_.other_ring;
         const bool gathered = gather(complex_, work_.submesh.region, ring.link[i], beyond);
         if (!beyond.owned) {
@@ -401,18 +406,18 @@ private:
     Real gap_squared_;
     SizeRule<Real> sizes_;
     bool follows_shape_;
-    WallLimits<Real> wall_;
+    BoundaryLimits<Real> wall_;
     std::uint32_t newest_ = no_id;
 };
 
 } // namespace
 
 template <class Real>
-void upkeep_interface(Work<Real>& work) {
-    Upkeep<Real>(work).run();
+void remesh_interface(Work<Real>& work) {
+    Remeshing<Real>(work).run();
 }
 
-template void upkeep_interface(Work<double>&);
-template void upkeep_interface(Work<float>&);
+template void remesh_interface(Work<double>&);
+template void remesh_interface(Work<float>&);
 
 } // namespace dsc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/junctions/coming_apart.h"
+#include "topology/junctions/junction_split.h"
 
 #include "topology/junctions/opening.h"
 
@@ -18,9 +18,9 @@ constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double along_wall = 0.349;
 
 template <class Real>
-class ComingApart {
+class JunctionSplit {
 public:
-    ComingApart(TopologyWork<Real>& work, Vertex v)
+    JunctionSplit(TopologyWork<Real>& work, Vertex v)
         : work_(work), complex_(work.complex), v_(v),
           length_(static_cast<Real>(opened_length) * work.edge_length) {}
 
@@ -188,21 +188,21 @@ private:
 } // namespace
 
 template <class Real>
-void take_apart(TopologyWork<Real>& work, Vertex v) {
-    ComingApart<Real> vertex(work, v);
+void split_junction(TopologyWork<Real>& work, Vertex v) {
+    JunctionSplit<Real> vertex(work, v);
     vertex.run();
     vertex.leave_along_wall();
 }
 
 template <class Real>
 void pass_corner(TopologyWork<Real>& work, Vertex corner, Phase lost) {
-    ComingApart<Real> vertex(work, corner);
+    JunctionSplit<Real> vertex(work, corner);
     vertex.run();
     vertex.pass_corner(lost);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void take_apart(TopologyWork<Real>&, Vertex);                                         \
+    template void split_junction(TopologyWork<Real>&, Vertex);                                     \
     template void pass_corner(TopologyWork<Real>&, Vertex, Phase);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The list that the interface upkeep keeps, who stays on it and who leaves it; and what is read
+// The list that the interface remeshing keeps, who stays on it and who leaves it; and what is read
 // from the log of a pass.
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
@@ -16,25 +16,25 @@
 #include <numbers>
 #include <vector>
 
-namespace dsc::upkeep_list_test {
+namespace dsc::remeshing_list_test {
 namespace {
 
 using std::numbers::pi;
 using test::options_for;
 
-TEST(UpkeepList, VerticesOfNoInterfaceLeaveIt) {
+TEST(RemeshingList, VerticesOfNoInterfaceLeaveIt) {
     auto complex = test::grid<double>(8, 0, 1, 2.5);
     const auto options = options_for<double>(1.5);
     Work<double> work(complex, options);
     work.interface = collect_interface(complex);
     const std::size_t before = work.interface.size();
     work.interface.push_back(4 * 9 + 4); // in the middle of phase 1
-    upkeep_interface(work);
+    remesh_interface(work);
     EXPECT_EQ(work.interface.size(), before);
     EXPECT_EQ(test::interface_fault(complex, work.interface), "");
 }
 
-TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
+TEST(RemeshingList, AVertexOfTooManyTrianglesStaysOnIt) {
     constexpr std::uint32_t degree = Ring<double>::capacity + 4;
     auto complex = test::wheel<double>(degree);
     for (std::uint32_t i = 0; i < degree / 2; ++i) {
@@ -43,12 +43,12 @@ TEST(UpkeepList, AVertexOfTooManyTrianglesStaysOnIt) {
     const auto options = options_for<double>(1);
     Work<double> work(complex, options);
     work.interface = {0};
-    upkeep_interface(work);
+    remesh_interface(work);
     EXPECT_EQ(work.interface, std::vector<std::uint32_t>{0});
 }
 
 // The remnant of a tip: shorter than five times the deviation, and not longer.
-TEST(UpkeepList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
+TEST(RemeshingList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
     constexpr double h = 0.05;
     for (const double length : {0.09, 0.11}) { // a tenth of an edge is five times the deviation
         std::vector<Point<double>> outline;
@@ -65,7 +65,7 @@ TEST(UpkeepList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
         const auto options = options_for<double>(h);
         Work<double> work(complex, options);
         work.interface = collect_interface(complex);
-        upkeep_interface(work);
+        remesh_interface(work);
         EXPECT_EQ(work.log.counts.interface_collapses, length < 0.1 ? 1U : 0U);
     }
 }
@@ -121,4 +121,4 @@ TEST_F(RunPass, LeavesRecordsWhereThereIsAReaderAlone) {
 }
 
 } // namespace
-} // namespace dsc::upkeep_list_test
+} // namespace dsc::remeshing_list_test

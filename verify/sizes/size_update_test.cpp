@@ -2,7 +2,7 @@
 // How a target goes from vertex to vertex: who is told of a change, and what a new vertex begins
 // with.
 #include "dsc/complex/gather.h"
-#include "dsc/passes/mesh/size_upkeep.h"
+#include "dsc/passes/mesh/size_update.h"
 
 #include "support/honeycomb.h"
 #include "support/simulation_testing.h"
@@ -17,7 +17,7 @@
 #include <cmath>
 #include <vector>
 
-namespace dsc::size_upkeep_test {
+namespace dsc::size_update_test {
 namespace {
 
 class Told : public testing::Test {
@@ -39,10 +39,10 @@ protected:
     std::vector<std::uint32_t> told_of(double target) {
         at_origin = target;
         Work<double> work(complex, options);
-        SizeUpkeep<double> upkeep(work);
+        SizeUpdate<double> remeshing(work);
         Ring<double> ring;
         EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-        EXPECT_NEAR(upkeep.follow(ring), target, 1e-12);
+        EXPECT_NEAR(remeshing.follow(ring), target, 1e-12);
         std::ranges::sort(work.resized);
         return work.resized;
     }
@@ -96,10 +96,10 @@ class Followed : public testing::Test {
 protected:
     double follow() {
         Work<double> work(complex, options);
-        SizeUpkeep<double> upkeep(work);
+        SizeUpdate<double> remeshing(work);
         Ring<double> ring;
         EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-        const double length = upkeep.follow(ring);
+        const double length = remeshing.follow(ring);
         told = work.resized.size();
         return length;
     }
@@ -138,4 +138,4 @@ TEST_F(Followed, ADistanceThatHasChangedIsToldToAll) {
 }
 
 } // namespace
-} // namespace dsc::size_upkeep_test
+} // namespace dsc::size_update_test

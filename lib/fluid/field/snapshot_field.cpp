@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fluid/field/frozen_field.h"
+#include "fluid/field/snapshot_field.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 // between two triangles, and a velocity is continuous.
 constexpr double inside = -1e-12;
 
-inline Barycentric coordinates(const FrozenMesh& mesh, const FrozenTriangle& t,
+inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle& t,
                                const Point<double>& x) {
     const Point<double>& c = mesh.nodes[t.nodes[2]];
     const Point<double> a = mesh.nodes[t.nodes[0]] - c;
@@ -24,7 +24,7 @@ inline Barycentric coordinates(const FrozenMesh& mesh, const FrozenTriangle& t,
 }
 
 // For walks that circle: a walk is certain to end in a Delaunay triangulation only.
-Spot look_everywhere(const FrozenMesh& mesh, const Point<double>& x) {
+Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     Spot best;
     double most = -std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -39,7 +39,7 @@ Spot look_everywhere(const FrozenMesh& mesh, const Point<double>& x) {
 
 // Every number that is looked up names something.
 bool has_valid_numbers(const FluidField& field) {
-    const FrozenMesh& mesh = field.mesh;
+    const MeshSnapshot& mesh = field.mesh;
     const auto is_node = [&](std::uint32_t node) { return node < mesh.nodes.size(); };
     const auto is_triangle_or_none = [&](std::uint32_t t) {
         return t < mesh.triangles.size() || t == no_id;
@@ -50,19 +50,19 @@ bool has_valid_numbers(const FluidField& field) {
            field.pressure.size() == mesh.triangles.size() &&
            std::ranges::all_of(mesh.triangle_at, is_triangle_or_none) &&
            std::ranges::all_of(mesh.triangles,
-                               [&](const FrozenTriangle& t) {
+                               [&](const SnapshotTriangle& t) {
                                    return std::ranges::all_of(t.nodes, is_node) &&
                                           std::ranges::all_of(t.across, is_triangle_or_none);
                                }) &&
-           std::ranges::all_of(mesh.interface, [&](const FrozenEdge& e) {
+           std::ranges::all_of(mesh.interface, [&](const SnapshotEdge& e) {
                return is_node(e.from) && is_node(e.to) && is_node(e.middle);
            });
 }
 
 } // namespace
 
-FrozenMesh freeze(const Complex<double>& complex) {
-    FrozenMesh mesh;
+MeshSnapshot freeze(const Complex<double>& complex) {
+    MeshSnapshot mesh;
     mesh.vertex_bound = complex.vertex_bound();
     mesh.nodes.reserve(4 * std::size_t{mesh.vertex_bound});
     mesh.nodes.assign(mesh.vertex_bound, Point<double>(0, 0));
@@ -83,7 +83,7 @@ FrozenMesh freeze(const Complex<double>& complex) {
         is_first = false;
     }
     for (const Triangle t : triangles(complex)) {
-        FrozenTriangle& frozen = mesh.triangles[compact[t.id]];
+        SnapshotTriangle& frozen = mesh.triangles[compact[t.id]];
         frozen.phase = complex.phase(t);
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner corner = corner_of(t.id, i);
@@ -111,21 +111,21 @@ FrozenMesh freeze(const Complex<double>& complex) {
     return mesh;
 }
 
-double area(const FrozenMesh& mesh, const FrozenTriangle& triangle) {
+double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle) {
     return area(mesh.nodes[triangle.nodes[0]], mesh.nodes[triangle.nodes[1]],
                 mesh.nodes[triangle.nodes[2]]);
 }
 
-std::uint32_t start_at(const FrozenMesh& mesh, std::uint32_t vertex) {
+std::uint32_t start_at(const MeshSnapshot& mesh, std::uint32_t vertex) {
     const std::uint32_t found = vertex < mesh.vertex_bound ? mesh.triangle_at[vertex] : no_id;
     return found == no_id ? 0 : found;
 }
 
-Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start) {
+Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t start) {
     point = point.cwiseMax(mesh.domain.low).cwiseMin(mesh.domain.high);
     std::uint32_t t = start;
     for (std::size_t steps = 0; steps < mesh.triangles.size(); ++steps) {
-        const FrozenTriangle& triangle = mesh.triangles[t];
+        const SnapshotTriangle& triangle = mesh.triangles[t];
         const Barycentric at = coordinates(mesh, triangle, point);
         // Across the edge that it lies farthest behind; an edge of the domain only by rounding.
         std::uint32_t towards = no_id;
@@ -145,7 +145,7 @@ Spot find_spot(const FrozenMesh& mesh, Point<double> point, std::uint32_t start)
 }
 
 void archive(Archive& archive, FluidField& field) {
-    FrozenMesh& mesh = field.mesh;
+    MeshSnapshot& mesh = field.mesh;
     archive(mesh.domain.low, mesh.domain.high, mesh.vertex_bound, mesh.nodes, mesh.triangle_at,
             field.time, field.velocity);
     archive.records(mesh.triangles);
@@ -157,7 +157,7 @@ void archive(Archive& archive, FluidField& field) {
 }
 
 Point<double> velocity_at(const FluidField& field, const Spot& spot) {
-    const FrozenTriangle& triangle = field.mesh.triangles[spot.triangle];
+    const SnapshotTriangle& triangle = field.mesh.triangles[spot.triangle];
     const Eigen::Matrix<double, 6, 1> shapes = quadratic_shapes(spot.at);
     Point<double> velocity(0, 0);
     for (int i = 0; const std::uint32_t node : triangle.nodes) {
