@@ -4,7 +4,6 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/points.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -120,7 +119,7 @@ private:
     }
 
     // The velocity v with v.n = speed for the normal n of each sheet, in the sense of least
-    // squares; along the wall on the domain boundary. A tip goes no faster than its sheets.
+    // squares; along the wall on the domain boundary.
     [[nodiscard]] Point<Real> of_junction(std::size_t i) const {
         Point<Real> x = Point<Real>::Zero(); // the rows of the normal equations
         Point<Real> y = Point<Real>::Zero();
@@ -154,21 +153,8 @@ private:
             velocity = right; // one sheet, or a straight one
         }
         const Real size = velocity.norm();
-        const Real most = size > fastest && !leans_back(i, velocity)
-                              ? static_cast<Real>(options_.most_notch) * fastest
-                              : fastest;
+        const Real most = static_cast<Real>(options_.most_notch) * fastest;
         return size > most ? Point<Real>(most / size * velocity) : velocity;
-    }
-
-    // Whether all moving sheets trail behind a junction of this velocity. It is then the tip of
-    // what grows, which spreads as an arc: no faster than the sheets, although their offsets
-    // intersect farther on.
-    [[nodiscard]] bool leans_back(std::size_t i, const Point<Real>& velocity) const {
-        return std::ranges::all_of(arms_of(view_, i), [&](const InterfaceArm& arm) {
-            return arm.left == border_phase || arm.right == border_phase ||
-                   speed_at(i, arm.left, arm.right) == 0 ||
-                   tangent_to(i, arm.neighbour).dot(velocity) > 0;
-        });
     }
 
     const GrowthOptions<Real>& options_;
