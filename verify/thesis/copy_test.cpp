@@ -32,7 +32,7 @@ namespace {
 using test::constant;
 using test::in_copies;
 
-// Every active vertex and every moving_vertex comes to one submesh that owns its star, in some
+// Every active vertex and every moving vertex comes to one submesh that owns its star, in some
 // round, with its own target: none is lost or handled twice, whichever boundaries it lies on.
 TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     constexpr double h = 0.03;

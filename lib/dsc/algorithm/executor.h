@@ -58,7 +58,7 @@ class InterfaceSight;
 /// Runs the passes over the whole complex, on the calling thread: the sequential DSC of the thesis.
 /// A class derived from it may let submeshes run first; the whole then does what all of them left.
 ///
-/// For each step the driver calls begin_step; for each sub-step trajectory, perhaps
+/// For each step the driver calls begin_step; for each sub-step compute_targets, perhaps
 /// recompute_targets, and move, and where stages have edited the complex move_missed; then
 /// end_step. After an exception it only calls end_step, and the complex must be valid then.
 template <class Real>
@@ -136,9 +136,9 @@ protected:
     // Parts of a step.
     /// Interface remeshing in the whole. Nothing is deferred there.
     void keep_up_whole();
-    /// Before any vertex moves: the moving_vertices of the whole. Returns how many are held.
+    /// Before any vertex moves: the moving vertices of the whole. Returns how many are held.
     std::uint64_t begin_movement();
-    /// Movement and mesh update in the whole: its moving_vertices, and the stars that have to be
+    /// Movement and mesh update in the whole: its moving vertices, and the stars that have to be
     /// visited.
     MoveReport move_whole();
     /// What is left to do when all vertices have moved: edits and lists.
@@ -206,8 +206,8 @@ bool is_in_contact(const VertexRecord<Real>& record) {
     return (record.flags & vertex_contact) == vertex_contact;
 }
 
-/// The moving_vertices that are left did not arrive, which is noted for each vertex. Those that
-/// have vanished are no moving_vertices any more. Returns the number of the others.
+/// The moving vertices that are left did not arrive, which is noted for each vertex. Those that
+/// have vanished are no moving vertices any more. Returns the number of the others.
 template <class Real>
 std::uint64_t give_up_moving_vertices(Work<Real>& work);
 

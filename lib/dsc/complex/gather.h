@@ -32,7 +32,7 @@ struct Ring {
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
     // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
-    // is the last vertex of an open one. IncidentEdge 0 of an open ring has no predecessor: its
+    // is the last vertex of an open one. Incident edge 0 of an open ring has no predecessor: its
     // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored rather than shuffled:
     // a vector load that spans two recent stores has to wait for both.
     alignas(64) std::array<Real, room> x;          ///< link vertex i
@@ -67,7 +67,7 @@ struct Ring {
     [[nodiscard]] Phase phase_after(std::uint32_t i) const {
         return i < size ? phase[i] : border_phase;
     }
-    /// IncidentEdge i separates two phases, or the domain from the outside.
+    /// Incident edge i separates two phases, or the domain from the outside.
     [[nodiscard]] bool is_constrained(std::uint32_t i) const {
         return phase_before(i) != phase_after(i);
     }
@@ -75,9 +75,8 @@ struct Ring {
 
 /// The incident interface edges of a ring; more than two make a junction.
 struct IncidentEdges {
-    std::uint32_t count = 0; ///< how many there are
-    std::uint32_t first =
-        0; ///< counter-clockwise from the ring's first incident edge; if count > 0
+    std::uint32_t count = 0;  ///< how many there are
+    std::uint32_t first = 0;  ///< counter-clockwise from incident edge 0; if count > 0
     std::uint32_t second = 0; ///< the last one where there are more than two; if count > 1
 
     /// Of two incident edges, the one that is not `incident_edge`.

@@ -126,7 +126,7 @@ struct SubStepProfile {
     double clean_up = 0;  ///< what all colours left, and updating the lists
     // By task.
     std::vector<double>
-        targets;              ///< remeshing, velocities and targets: the first colour's submeshes
+        targets;              ///< remeshing, velocities and targets, by submesh of the first colour
     std::vector<double> move; ///< movement and mesh update: all submeshes of all colours
     // Wall time of the two parallel sections.
     double targets_wall = 0; ///< remeshing, velocities and targets

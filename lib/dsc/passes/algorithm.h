@@ -43,7 +43,7 @@ struct Deferred {
 
     std::uint32_t vertex;          ///< the vertex concerned
     std::uint32_t route = nowhere; ///< number of the submesh that takes it
-    Real x = 0;                    ///< target of a moving_vertex
+    Real x = 0;                    ///< target of a moving vertex
     Real y = 0;
     DeferredKind kind; ///< what is to be done there
 
@@ -60,7 +60,7 @@ struct DeferredQueue {
 
     /// Puts off a look at the star of `v`. Amortised O(1), as are the next three.
     void star(std::uint32_t v) { put(v, DeferredKind::star); }
-    /// Puts off the interface remeshing at `v`.
+    /// Defers interface remeshing at `v`.
     void remeshing(std::uint32_t v) { put(v, DeferredKind::remeshing); }
     /// Leaves `v` to the interface list of the submesh that owns it now.
     void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
@@ -110,8 +110,7 @@ struct Work : Unmovable {
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Trajectory<Real> trajectory;          ///< of the interface vertices
-    std::vector<MovingVertex<Real>>
-        moving_vertices; ///< vertices that have not reached their target yet
+    std::vector<MovingVertex<Real>> moving_vertices; ///< they have yet to reach their targets
     /// Stars that the interface remeshing has left as they are, in the order of `interface`:
     /// movement need not walk round them again. Of no use once a pass of motion has been run.
     std::vector<KeptStar> stars;
@@ -137,8 +136,8 @@ struct Work : Unmovable {
     std::span<const Pass<Real>> remeshing;
 
     std::size_t progressed =
-        0;                   ///< moving_vertices that made any progress in the last movement pass
-    std::size_t arrived = 0; ///< moving_vertices of these that reached their targets
+        0;                   ///< moving vertices that came nearer to their targets in the last pass
+    std::size_t arrived = 0; ///< how many of these reached them
 
     // Scratch, kept so that nothing is allocated from step to step.
     Ring<Real> ring;                           ///< the star under examination
@@ -211,8 +210,8 @@ struct Algorithm {
 template <class Real>
 void remesh_interface(Work<Real>& work);
 
-/// Movement (line 5): moves every moving_vertex once, as far as possible. Those that arrive leave
-/// `work.moving_vertices`; all that moved activate their star. O(moving_vertices).
+/// Movement (line 5): moves every moving vertex once, as far as possible. Those that arrive leave
+/// `work.moving_vertices`; all that moved activate their star. O(moving vertices).
 template <class Real>
 void move_vertices(Work<Real>& work);
 

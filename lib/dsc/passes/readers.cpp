@@ -70,8 +70,8 @@ void wake_edit(Work<Real>& work, const Edit& edit) {
     }
 }
 
-// A moving_vertex knows its vertex by the id, which may be in use again after the pass. O(edits +
-// moving_vertices log edits).
+// Removes vertices that the pass has deleted from `moving_vertices`, which refers to them by ids
+// that may be in use again. O(edits + moving vertices * log edits).
 template <class Real>
 void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
     std::vector<std::uint32_t>& gone = work.changed;

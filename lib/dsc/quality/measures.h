@@ -152,7 +152,8 @@ template <class Real>
 }
 
 /// The Delaunay margin of each incident edge of a star, as `delaunay_margin`: below 0 where an
-/// incident edge fails the test by more than the slack. IncidentEdge 0 of an open ring never fails.
+/// incident edge fails the test by more than the slack. Incident edge 0 of an open ring never
+/// fails.
 template <class Real>
 using IncidentEdgeMargins = std::array<Real, Ring<Real>::room>;
 

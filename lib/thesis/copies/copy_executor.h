@@ -82,7 +82,7 @@ private:
     using Executor<Real>::complex_;
     using Executor<Real>::options_;
     using Executor<Real>::algorithm_;
-    using Executor<Real>::whole_; // remeshing and trajectory; between the rounds, the work that
+    using Executor<Real>::whole_; // remeshing and targets; between the rounds, the work that
                                   // remains
     using Executor<Real>::epoch_;
     using typename Executor<Real>::Progress;

@@ -4,7 +4,7 @@
 // A boundary runs through the middles of the sides between pixels of two labels, and begins and
 // ends at corners where more than two grains meet, or at a side of the image. Each point moves
 // within a diamond about its place: the diamonds of all sides of pixels are apart, so that
-// boundaries that stay in theirs cannot meet. Within the diamonds they are drawn taut, and then
+// boundaries that stay in theirs cannot meet. Within the diamonds they are smoothed, and then
 // moved sideways until each grain has the area of its pixels.
 #pragma once
 

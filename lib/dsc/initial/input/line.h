@@ -5,9 +5,13 @@
 #include "dsc/base/error.h"
 #include "dsc/initial/input/input_check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace dsc::initial {
@@ -37,5 +41,33 @@ struct Line {
         return to_text(given[i]) + " to " + to_text(given[i + 1]);
     }
 };
+
+/// Keeps the points with these indices.
+inline void keep_points(Line& line, std::span<const std::uint32_t> kept) {
+    const auto keep = [kept](auto& list) {
+        std::remove_cvref_t<decltype(list)> left;
+        left.reserve(kept.size());
+        std::ranges::transform(kept, std::back_inserter(left),
+                               [&](std::uint32_t i) { return list[i]; });
+        list.swap(left);
+    };
+    keep(line.path.points);
+    keep(line.given);
+    keep(line.numbers);
+}
+
+/// The distance of a point from the nearest side of the domain; negative outside.
+[[nodiscard]] inline double distance_to_sides(const Lattice& lattice, const Point<double>& p) {
+    return std::min({p.x() - lattice.low.x(), lattice.high.x() - p.x(), p.y() - lattice.low.y(),
+                     lattice.high.y() - p.y()});
+}
+
+/// A length that is a whole number of target lengths, up to rounding, is cut into as many pieces.
+/// Counted before rounding, so that float and double are cut alike.
+[[nodiscard]] inline double piece_count(const Line& line, std::size_t edge, double h) {
+    constexpr double whole_number_slack = 1e-9;
+    const double length = (line.given[edge + 1] - line.given[edge]).norm();
+    return std::max(1.0, std::ceil(length / h * (1 - whole_number_slack)));
+}
 
 } // namespace dsc::initial

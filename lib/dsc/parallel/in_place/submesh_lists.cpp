@@ -40,8 +40,8 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     list.clear();
 }
 
-// Interface vertices in no list, and those that came into another submesh: targets by now, they
-// move in the submesh that owns them, and are listed there when the sub-step is over.
+// Interface vertices in no list, and those that came into another submesh: they have targets by
+// now, move in the submesh that owns them, and are listed there when the sub-step is over.
 template <class Real>
 void SubmeshExecutor<Real>::send_home() {
     const auto to_owner = [this](Deferred<Real> one) {

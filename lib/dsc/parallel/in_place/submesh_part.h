@@ -25,7 +25,7 @@ struct SubmeshExecutor<Real>::Part {
     double targets_s = 0; // of the last sub-step, if times are measured
     double move_s = 0;
 
-    // Room for so many vertices of the interface, and for the moving_vertices and stars that come
+    // Room for so many vertices of the interface, and for the moving vertices and stars that come
     // with them. Short lists of two submeshes next to each other on the heap would share cache
     // lines, and the threads would contend for them at each push. Not much more than is filled,
     // though: memory that is touched for the first time costs microseconds a page.

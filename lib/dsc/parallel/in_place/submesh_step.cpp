@@ -183,7 +183,7 @@ TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>& flow
 }
 
 // What remeshing may not touch in any submesh, and vertices that have left theirs: they are few and
-// handled here. Those that are new to a submesh are targets here as well, and listed when the
+// handled here. Those that are new to a submesh get their targets here as well, and listed when the
 // sub-step is over.
 template <class Real>
 TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {

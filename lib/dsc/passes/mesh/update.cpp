@@ -62,7 +62,7 @@ public:
             const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = star.quality < limit.collapse;
-                // The moving_vertex of a vertex that has yet to arrive knows it by its id.
+                // A vertex on its way must keep its id: `moving_vertices` refers to it.
                 const bool has_arrived = (complex_.vertices[v].flags & vertex_on_way) == 0;
                 if (has_arrived &&
                     (poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
