@@ -8,7 +8,7 @@ cd -- "$project_root" || exit 2
 
 build_packages=(cmake g++ ninja-build git libeigen3-dev libboost-dev zlib1g-dev
     nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev
-    python3-yaml pybind11-dev python3-dev python3-numpy)
+    python3-yaml pybind11-dev python3-dev python3-numpy python3-venv)
 plot_packages=(python3 python3-matplotlib python3-meshio)
 # For the tests that only `verify/run.sh --all` needs: the reference pages, a browser for the page of
 # the report, programs that read frames, and the workflow engine of bench/Snakefile.

@@ -131,8 +131,15 @@ AnyFlow growth_of(const std::map<std::pair<Phase, Phase>, double>& speeds) {
     return along(growth(options), options);
 }
 
-AnyFlow curvature_flow_of(double tension, double mobility, const std::map<Phase, double>& areas) {
+using TensionAndMobility = std::pair<double, double>;
+
+AnyFlow curvature_flow_of(double tension, double mobility,
+                          const std::map<std::pair<Phase, Phase>, TensionAndMobility>& pairs,
+                          const std::map<Phase, double>& areas) {
     CurvatureFlowOptions options{.tension = tension, .mobility = mobility};
+    for (const auto& [pair, values] : pairs) {
+        options.pairs.push_back({pair.first, pair.second, values.first, values.second});
+    }
     for (const auto& [phase, area] : areas) {
         options.kept_areas.push_back({phase, area});
     }

@@ -4,6 +4,7 @@ import os
 import tempfile
 import threading
 import unittest
+import warnings
 
 import dsc
 import numpy as np
@@ -55,6 +56,46 @@ class OfTheLibrary(unittest.TestCase):
             dsc.run(sim, flow, H / 2, 10)
             self.assertAlmostEqual(dsc.area(mesh.outlines(1, samples=16)),
                                    0.04 + 0.8 * 0.1 + np.pi * 0.1**2, delta=2e-5)
+
+
+class ByPair(unittest.TestCase):
+    def ended(self, edge_length=H, **given):
+        """Two halves of a disc after some steps: three curves between two junctions."""
+        turn = np.pi * np.linspace(0.5, 1.5, 33)
+        left = np.c_[np.cos(turn), np.sin(turn)]
+        halves = {1: 0.5 + 0.3 * left, 2: 0.5 - 0.3 * left}
+        mesh = dsc.initial_complex(DOMAIN, halves, edge_length=edge_length)
+        sim = dsc.Simulation(mesh, edge_length=edge_length, corner_degrees=180)
+        dsc.run(sim, dsc.curvature_flow(**given), 5e-4, 8)
+        return mesh
+
+    def test_numbers_dicts_and_matrices_mean_the_same(self):
+        values = np.array([[0, 2, 3], [2, 0, 1.5], [3, 1.5, 0]])
+        by_pair = {(1, 0): 2, (0, 2): 3, (2, 1): 1.5}
+        for name, other in (("tension", {"mobility": 2}), ("mobility", {"tension": {(0, 1): 1}})):
+            ends = {self.ended(**{name: one}, **other).mesh_hash for one in (values, values.tolist(), by_pair)}
+            self.assertEqual(len(ends), 1, name)
+        self.assertEqual(self.ended(tension=2).mesh_hash, self.ended(tension=2 * np.ones((3, 3))).mesh_hash)
+
+    def test_tensions_balance_at_junctions(self):  # Young's law: 2 * 1 * cos(angle / 2) = 1.5
+        mesh = self.ended(H / 4, tension={(1, 2): 1.5})
+        one, other = (mesh.outlines(phase)[0] for phase in (1, 2))
+        junction = other[np.argmax(other[:, 1] - 9 * np.abs(other[:, 0] - 0.5))]
+        rays = []
+        for ring in (one, other):
+            k = np.argmin(np.hypot(*(ring - junction).T))
+            near = [ring[(k + side) % len(ring)] - junction for side in (-1, 1)]
+            rays.append(max(near, key=lambda ray: abs(ray[0])))
+        cosine = rays[0] @ rays[1] / np.prod([np.hypot(*ray) for ray in rays])
+        self.assertAlmostEqual(np.degrees(np.arccos(cosine)), 2 * np.degrees(np.arccos(0.75)), delta=2)
+
+    def test_what_balances_at_no_junction_is_told(self):
+        with self.assertWarnsRegex(UserWarning, r"phases 0, 2 and 1 .* tension of \(0, 2\) is 3, more than 1 and 1.5 "):
+            dsc.curvature_flow(tension={(0, 1): 1, (1, 2): 1.5, (0, 2): 3})
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            dsc.curvature_flow(tension={(0, 1): 1, (1, 2): 1.5, (0, 2): 2.4})
+            dsc.curvature_flow(tension={(0, 1): 1, (0, 2): 3})  # the third pair is not named
 
 
 @unittest.skipUnless(RegularGridInterpolator, "without scipy")

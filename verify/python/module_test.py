@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The Python module: what a user does with it, and what it refuses."""
 import copy
+import importlib.util
 import os
 import pathlib
 import shutil
@@ -9,6 +10,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import venv
 
 import dsc
 import numpy as np
@@ -85,6 +87,24 @@ class Installed(unittest.TestCase):
                                       capture_output=True, env={**os.environ, "PYTHONPATH": folder})
                 last = done.stderr.splitlines()[-1]
                 self.assertRegex(last, rf"^ImportError: .*: got {found}; build it by `cmake .*--target dsc_python`")
+
+    @unittest.skipUnless(importlib.util.find_spec("ensurepip"), "Debian: python3-venv")
+    def test_pip_installs_a_wheel_without_a_network(self):
+        build = pathlib.Path(dsc.__file__).parents[3]  # used again: to compile it takes minutes
+        root = pathlib.Path(__file__).parents[2]
+        alone = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+        with tempfile.TemporaryDirectory() as folder:
+            venv.create(folder, system_site_packages=True, with_pip=True)
+            python = pathlib.Path(folder) / "bin/python"
+            for command in ((python, "-m", "pip", "install", "--no-index", f"--config-settings=build-dir={build}", root),
+                            (python, root / "verify/python/readme.py"),
+                            (python, "-c", "import dsc; print(dsc.__version__, dsc.__file__)"),
+                            (python, "-m", "pip", "uninstall", "--yes", "dsc")):
+                done = subprocess.run(command, check=False, text=True, capture_output=True, env=alone, cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                if "-c" in command:
+                    self.assertIn(folder, done.stdout)
+            self.assertEqual(list(pathlib.Path(folder).glob("lib/*/site-packages/dsc*")), [])
 
 
 class Arrays(unittest.TestCase):

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Flows, other than functions of positions and time."""
-from . import _dsc
+import warnings
+
+import numpy as np
+
+from . import _dsc, arrays
 from .mesh import Mesh
 
 
@@ -91,16 +95,81 @@ def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
 
     Parameters
     ----------
-    tension, mobility : float
-        Of all pairs of phases.
+    tension, mobility : float, dict or (n, n) array_like
+        Of all pairs of phases; or by pair, `{(one, other): value}`, and 1 for those not named; or a
+        symmetric matrix whose rows and columns are phases.
     keep_areas_of : Mesh or dict, optional
         Each phase but 0 keeps the area that it has in this mesh, or the area that is given by phase.
 
     Returns
     -------
     Flow
+
+    Warns
+    -----
+    UserWarning
+        Of three phases one tension is larger than the other two together, so that they balance at no
+        junction: the third phase spreads between the first two.
+
+    Examples
+    --------
+    By W. T. Read and W. Shockley (1950), of the orientations of grains that differ by up to 15 degrees:
+
+    >>> angles = np.radians([0, 4, 9, 13])
+    >>> apart = np.abs(angles[:, None] - angles) / np.radians(15)
+    >>> tension = apart * (1 - np.log(np.where(apart > 0, apart, 1)))
+    >>> flow = dsc.curvature_flow(tension=tension)
     """
     areas = keep_areas_of or {}
     if isinstance(areas, Mesh):
         areas = {phase: areas._area(phase) for phase in areas.areas if phase != 0}
-    return Flow("curvature_flow", tension, mobility, dict(areas))
+    tension, tensions = _by_pair(tension, "tension")
+    mobility, mobilities = _by_pair(mobility, "mobility")
+    _warn_of_spreading(tensions)
+    pairs = {pair: (tensions.get(pair, tension), mobilities.get(pair, mobility))
+             for pair in {**tensions, **mobilities}}
+    return Flow("curvature_flow", tension, mobility, pairs, dict(areas))
+
+
+def _by_pair(given, where):
+    """The value of all other pairs, and `{(smaller, larger): value}`."""
+    if isinstance(given, dict):
+        values = {}
+        for pair, value in given.items():
+            if not isinstance(pair, tuple) or len(pair) != 2 or pair[0] == pair[1]:
+                arrays.refuse("no pair of two phases", where, repr(pair), "keys (one, other)")
+            key = tuple(sorted(arrays.phase(phase, where) for phase in pair))
+            if key in values:
+                arrays.refuse("a pair is named twice", where, repr(pair), "each pair once, in either order")
+            number = arrays.numbers(value, where)
+            if number is None or number.ndim != 0:
+                arrays.refuse(f"no number for the pair {pair}", where, arrays.shown(value), "a number")
+            values[key] = float(number)
+        return 1.0, values
+    array = arrays.numbers(given, where)
+    if array is not None and array.ndim == 0:
+        return float(array), {}
+    if array is None or array.ndim != 2 or array.shape[0] != array.shape[1]:
+        arrays.refuse("neither a number nor values by pair", where, arrays.shown(given),
+                      "a number, a dict {(one, other): number} or a matrix (n, n)")
+    if not np.array_equal(array, array.T):
+        one, other = np.argwhere(array != array.T)[0]
+        arrays.refuse("the matrix is not symmetric", where,
+                      f"{array[one, other]} for ({one}, {other}) and {array[other, one]} for ({other}, {one})",
+                      "the same for both")
+    rows, columns = np.triu_indices(len(array), 1)
+    return 1.0, dict(zip(zip(rows.tolist(), columns.tolist()), array[rows, columns].tolist()))
+
+
+def _warn_of_spreading(tensions):
+    least = min(tensions.values(), default=0)
+    for (one, other), value in tensions.items():
+        if value <= 2 * least:  # no two others are smaller together
+            continue
+        for third in {phase for pair in tensions for phase in pair} - {one, other}:
+            sides = [tensions.get(tuple(sorted((phase, third)))) for phase in (one, other)]
+            if None not in sides and value > sum(sides):
+                warnings.warn(f"phases {one}, {other} and {third} balance at no junction: the tension of "
+                              f"({one}, {other}) is {value:g}, more than {sides[0]:g} and {sides[1]:g} of the "
+                              f"pairs with {third} together, which spreads between them", stacklevel=3)
+                return
