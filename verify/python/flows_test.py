@@ -89,6 +89,24 @@ class ByPair(unittest.TestCase):
         cosine = rays[0] @ rays[1] / np.prod([np.hypot(*ray) for ray in rays])
         self.assertAlmostEqual(np.degrees(np.arccos(cosine)), 2 * np.degrees(np.arccos(0.75)), delta=2)
 
+    def test_grains_follow_von_neumann_and_mullins(self):  # dA/dt = pi / 3 (sides - 6)
+        empty = dsc.initial_complex(DOMAIN, edge_length=H)
+        seeds = np.random.default_rng(3).random((40, 2))
+        centres = empty.points[empty.triangles].mean(axis=1)
+        near = np.hypot(*(centres[:, None] - seeds).T).argmin(axis=0)
+        mesh = dsc.Mesh(empty.points, empty.triangles, 1 + near)
+        sim = dsc.Simulation(mesh, edge_length=H, corner_degrees=180, topology="change")
+        dsc.run(sim, dsc.curvature_flow(), 2e-4, 50)
+        before = dsc.grains(mesh)
+        dsc.run(sim, dsc.curvature_flow(), 2e-5, 5)
+        after = dsc.grains(mesh)
+        inner = ~before["at_boundary"]
+        self.assertGreater(inner.sum(), 12)
+        self.assertEqual(before["sides"].tolist(), after["sides"].tolist())
+        rates = (after["area"] - before["area"]) / 1e-4
+        wanted = np.pi / 3 * (before["sides"] - 6)
+        self.assertLess(np.abs(rates - wanted)[inner].max(), 0.05)
+
     def test_what_balances_at_no_junction_is_told(self):
         with self.assertWarnsRegex(UserWarning, r"phases 0, 2 and 1 .* tension of \(0, 2\) is 3, more than 1 and 1.5 "):
             dsc.curvature_flow(tension={(0, 1): 1, (1, 2): 1.5, (0, 2): 3})

@@ -28,6 +28,13 @@ class Measures(unittest.TestCase):
         for phase, area in mesh.areas.items():
             self.assertAlmostEqual(phases[phase]["area"], area)
             self.assertAlmostEqual(dsc.area(mesh.outlines(phase)), area)
+        grains = dsc.grains(mesh)
+        self.assertEqual(grains["neighbours"].tolist(), [1, 2, 1])
+        self.assertEqual(grains["sides"].tolist(), [1, 2, 1])
+        self.assertEqual(grains["at_boundary"].tolist(), [True, False, False])
+        self.assertTrue(np.allclose(grains["area"], list(mesh.areas.values()), rtol=1e-13))
+        self.assertTrue(np.allclose(np.pi * grains["radius"]**2, grains["area"], rtol=1e-13))
+        self.assertTrue(np.allclose(grains["perimeter"], [lengths[0, 1], sum(lengths.values()), lengths[1, 2]]))
         parts = mesh.component_of
         self.assertEqual(len(parts), len(mesh.triangles))
         self.assertEqual(len(np.unique(np.c_[parts, mesh.phases], axis=0)), 4)

@@ -28,7 +28,7 @@ from .drawing import animate, plot
 from .flows import Flow, curvature_flow, growth, interface_flow, swirl
 from .fluid import Fluid
 from .interplay import from_meshio
-from .measures import area, circle, hausdorff, symmetric_difference
+from .measures import area, circle, grains, hausdorff, symmetric_difference
 from .mesh import Mesh, from_labels, initial_complex
 from .records import Curve, Event, InputReport, Interface, Report
 from .runs import run
@@ -37,7 +37,7 @@ from .state import load, save
 
 __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "InputReport", "Interface", "Mesh",
            "Report", "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow", "from_labels",
-           "from_meshio", "growth", "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save",
+           "from_meshio", "grains", "growth", "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save",
            "scenes", "swirl", "symmetric_difference"]
 
 
