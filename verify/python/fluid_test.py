@@ -61,7 +61,7 @@ class Fluids(unittest.TestCase):
         for angle in (60, 120):  # inside phase 1: below 90 it spreads
             sim = dsc.Simulation(mesh.copy(), **sizes)
             fluid = dsc.Fluid(sim, {0: None, 1: (1, 1)}, {(0, 1): (1, angle)},
-                              slip={"bottom"}, inertia=False)
+                              slip="bottom", inertia=False)
             for _ in range(5):
                 self.assertEqual(fluid.step(0.01).unreached, 0)
             x = sim.mesh.interface_curves()[0].points[:, 0]

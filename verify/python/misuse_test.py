@@ -178,6 +178,10 @@ CASES = {
     "scene with an unknown key": (lambda mesh: dsc.scenes.run("swirl", hh=0.03), ValueError,
                                   "unknown key: got 'hh'"),
     "scene that does not exist": (lambda mesh: dsc.scenes.run("swril"), ValueError, "swril"),
+    "data with the name of the mesh's own": (lambda mesh: mesh.triangle_data.update(phase=mesh.qualities), INPUT,
+                                             "triangle_data: what files call the mesh's own: got 'phase'"),
+    "series of another kind": (lambda mesh: dsc.Series("run.vtu"), INPUT, "one that ends in .pvd"),
+    "fluid that slips at no side, by name": (fluid_of(slip="front"), INPUT, "slip: no side of the domain: got 'front'"),
     "fluid that slips at no side": (fluid_of(slip={"front"}), INPUT, "slip: no side of the domain: got 'front'"),
     "growth of one phase": (lambda mesh: dsc.growth({1: 2}), TypeError, "incompatible"),
     "fluid in a domain of another shape": (

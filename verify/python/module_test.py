@@ -11,6 +11,7 @@ import tempfile
 import threading
 import unittest
 import venv
+from xml.etree import ElementTree
 
 import dsc
 import numpy as np
@@ -147,13 +148,13 @@ class Data(unittest.TestCase):
         mesh = disc_mesh()
         mesh.vertex_data["x"] = mesh.points[:, 0]
         mesh.vertex_data["place"] = mesh.points
-        mesh.triangle_data["phase"] = mesh.phases
+        mesh.triangle_data["material"] = mesh.phases
         shift = 0.05
         sim = dsc.Simulation(mesh, edge_length=H)
         report = sim.step(lambda x, t: 0 * x + (shift / H, 0), 0, H)
         self.assertEqual(report.unreached, 0)
         self.assertEqual(set(mesh.vertex_data), {"x", "place"})
-        self.assertEqual(len(mesh.triangle_data["phase"]), len(mesh.triangles))
+        self.assertEqual(len(mesh.triangle_data["material"]), len(mesh.triangles))
         self.assertLess(np.abs(mesh.vertex_data["x"] - mesh.points[:, 0]).max(), 2 * shift)
         self.assertTrue(np.array_equal(mesh.vertex_data["place"][:, 0], mesh.vertex_data["x"]))
         del mesh.vertex_data["x"]
@@ -202,6 +203,38 @@ class Drawn(unittest.TestCase):
         self.assertEqual(len(curves.get_segments()), 1)
         ax = dsc.plot(mesh, Figure().add_subplot(), values=mesh.qualities, interface=False)
         self.assertEqual(len(ax.collections), 1)
+
+    def test_neighbours_have_different_colours(self):
+        import matplotlib
+        matplotlib.use("Agg")
+        from matplotlib.figure import Figure
+        empty = dsc.initial_complex(((0, 0), (1, 1)), edge_length=H)
+        x, y = empty.points[empty.triangles].mean(axis=1).T
+        squares = 1 + (8 * x).astype(int) + 8 * (8 * y).astype(int)  # above each other they are 8 apart
+        mesh = dsc.Mesh(empty.points, empty.triangles, 7 * squares)  # one colour for all, but for neighbours
+        drawn = dsc.plot(mesh, Figure().add_subplot(), interface=False).collections[0].get_array()
+        colours = {int(phase): set(drawn[mesh.phases == phase].tolist()) for phase in np.unique(mesh.phases)}
+        self.assertEqual({len(one) for one in colours.values()}, {1})
+        for phase, colour in colours.items():
+            beside = [phase + 7] * (phase // 7 % 8 != 0) + [phase + 56]
+            for other in beside:
+                self.assertNotEqual(colour, colours.get(other), (phase, other))
+
+    def test_a_notebook_shows_it_and_its_name_is_short(self):
+        empty = dsc.initial_complex(((0, 0), (1, 1)), edge_length=0.1)
+        mesh = dsc.Mesh(empty.points, empty.triangles, np.arange(len(empty.triangles)))
+        self.assertLess(len(repr(mesh)), 120)
+        self.assertRegex(repr(mesh), r"vertices, \d+ phases 0, 1, 2, 3, 4, 5, …, \d+>$")
+        self.assertRegex(disc_mesh()._repr_svg_(), r"(?s)^<\?xml.*<svg .*</svg>\s*$")
+
+    def test_a_series_names_each_mesh_with_its_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            series = dsc.Series(pathlib.Path(folder) / "one & two.pvd")
+            for time in (0, 0.1):
+                series.add(disc_mesh(), time)
+            sets = ElementTree.parse(pathlib.Path(folder) / "one & two.pvd").findall("Collection/DataSet")
+            self.assertEqual([float(one.get("timestep")) for one in sets], [0, 0.1])
+            self.assertEqual({one.get("file") for one in sets} | {"one & two.pvd"}, set(os.listdir(folder)))
 
 
 if __name__ == "__main__":

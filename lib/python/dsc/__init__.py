@@ -31,14 +31,14 @@ from .interplay import from_meshio
 from .measures import area, circle, grains, hausdorff, symmetric_difference
 from .mesh import Mesh, from_labels, initial_complex
 from .records import Curve, Event, InputReport, Interface, Report
-from .runs import run
+from .runs import Series, run
 from .simulation import Simulation
 from .state import load, save
 
 __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "InputReport", "Interface", "Mesh",
-           "Report", "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow", "from_labels",
-           "from_meshio", "grains", "growth", "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run", "save",
-           "scenes", "swirl", "symmetric_difference"]
+           "Report", "Series", "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow",
+           "from_labels", "from_meshio", "grains", "growth", "hausdorff", "initial_complex", "interface_flow", "load",
+           "plot", "run", "save", "scenes", "swirl", "symmetric_difference"]
 
 
 def __getattr__(name):

@@ -180,7 +180,7 @@ class Fluid:
         tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
         gravity: ArrayLike = (0, 0),
-        slip: Collection[str] = (),
+        slip: str | Collection[str] = (),
         inertia: bool = True,
         tolerance: float = 0,
         threads: int = 1,
@@ -265,7 +265,12 @@ def run(
     *,
     time: float | None = None,
     after: Callable[[Simulation, Report], object] | None = None,
-    progress: Callable[[str], object] | None = None,
+    progress: Callable[[str], object] | bool | None = None,
 ) -> list[Report]: ...
+
+class Series:
+    def __init__(self, path: str | PathLike[str]) -> None: ...
+    def add(self, mesh: Mesh, time: float) -> None: ...
+
 def save(path: str | PathLike[str], thing: object) -> None: ...
 def load(path: str | PathLike[str]) -> Any: ...

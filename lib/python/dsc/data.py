@@ -5,6 +5,9 @@ from collections.abc import MutableMapping
 from .arrays import numbers, refuse, shown
 
 
+OF_THE_MESH = ("phase", "position")
+
+
 class Data(MutableMapping):
     """Arrays by name, one entry for each vertex or triangle: numbers (n,) or vectors (n, 2).
 
@@ -26,6 +29,8 @@ class Data(MutableMapping):
         return self._mesh._data(name)
 
     def __setitem__(self, name, values):
+        if name in OF_THE_MESH:
+            refuse("what files call the mesh's own", f"{self._kind}_data", repr(name), "another name")
         count = len(self._mesh.points if self._kind == "vertex" else self._mesh.triangles)
         array = numbers(values, name)
         if array is None or array.shape not in ((count,), (count, 2)):

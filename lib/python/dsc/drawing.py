@@ -22,7 +22,8 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
     interface : bool
         Whether the interface is drawn.
     palette : sequence of colours
-        The first is that of phase 0; phases beyond the last use the others again.
+        The first is that of phase 0. Phases beyond the last use the others again, neighbours different
+        ones where there are enough.
     **style
         Handed to `Axes.tripcolor`.
 
@@ -41,8 +42,7 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
     style.setdefault("edgecolors", "#888888" if edges else "face")
     style.setdefault("linewidth", 0.25 if edges else 0.1)
     if values is None:
-        phases = mesh.phases.astype(int)
-        values = np.where(phases == 0, 0, 1 + (phases - 1) % (len(palette) - 1))
+        values = _colours(mesh, len(palette))
         style |= {"cmap": ListedColormap(palette), "vmin": -0.5, "vmax": len(palette) - 0.5}
     ax.tripcolor(x, y, mesh.triangles, facecolors=np.asarray(values, float), **style)
     if interface:
@@ -53,6 +53,28 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
     ax.set_xlim(x.min(), x.max())
     ax.set_ylim(y.min(), y.max())
     return ax
+
+
+def _colours(mesh, count):
+    """The place of each triangle in a palette: its phase, from the beginning again after the last; a phase
+    that would have the colour of a smaller one beside it takes the next that none of those has."""
+    phases = mesh.phases.astype(int)
+    if count < 2 or phases.max(initial=0) < count:
+        return phases % count
+    edges = np.sort(np.concatenate([mesh.triangles[:, [i, i - 1]] for i in range(3)]), axis=1)
+    order = np.lexsort(edges.T)
+    edges, of_edges = edges[order], np.tile(phases, 3)[order]
+    twins = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1) & (of_edges[1:] != of_edges[:-1]))
+    pairs = np.unique(np.sort(np.c_[of_edges[twins], of_edges[twins + 1]], axis=1), axis=0)
+    smaller = {}
+    for one, other in pairs.tolist():
+        smaller.setdefault(other, []).append(one)
+    colours = {0: 0}
+    for phase in np.unique(phases).tolist():
+        taken = {colours[one] for one in smaller.get(phase, ())}
+        wishes = [1 + (phase - 1 + k) % (count - 1) for k in range(count - 1)]
+        colours.setdefault(phase, next((colour for colour in wishes if colour not in taken), wishes[0]))
+    return np.array([colours[phase] for phase in phases.tolist()])
 
 
 def animate(sim, flow, dt, steps, *, every=1, ax=None, **style):

@@ -18,7 +18,7 @@ class Fluid(_dsc.Fluid):
         `{(one, other): tension}`, for each pair that meets, or `(tension, angle)`: in degrees,
         between the interface and a wall that slips, inside `other`.
     gravity : (2,) array_like
-    slip : set of {'left', 'right', 'bottom', 'top'}
+    slip : set of {'left', 'right', 'bottom', 'top'}, or one of them
         The sides of the domain along which the fluid slides; it rests at the others.
     inertia : bool
         Whether it has any: else the equations are those of Stokes.
@@ -32,6 +32,7 @@ class Fluid(_dsc.Fluid):
     def __init__(self, sim, phases, tensions, *, gravity=(0, 0), slip=(), inertia=True, tolerance=0,
                  threads=1):
         """At rest, at time 0; without inertia at the velocity that the interface gives."""
+        slip = (slip,) if isinstance(slip, str) else slip
         for side in slip:
             if side not in SIDES:
                 arrays.refuse("no side of the domain", "slip", repr(side), ", ".join(SIDES))

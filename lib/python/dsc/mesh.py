@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Meshes: what the compiled part has of them, and what people expect of an object in Python."""
+import pathlib
+import tempfile
+
 from . import _dsc, arrays, interplay
 from .data import Data
 from .records import Curve, InputReport
@@ -50,8 +53,18 @@ class Mesh(_dsc.Mesh):
         return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data)),)
 
     def __repr__(self):
+        phases = [str(phase) for phase in self.areas]
+        if len(phases) > 8:
+            phases[6:-1] = ["…"]
         return (f"<dsc.Mesh: {len(self.triangles)} triangles, {len(self.points)} vertices, "
-                f"phases {', '.join(map(str, self.areas))}>")
+                f"{f'{len(self.areas)} ' if '…' in phases else ''}phases {', '.join(phases)}>")
+
+    def _repr_svg_(self):
+        """What a notebook shows."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "mesh.svg"
+            self.write_svg(path)
+            return path.read_text(encoding="utf-8")
 
     @property
     def vertex_data(self):

@@ -1,5 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Several steps on end."""
+"""Several steps on end, and files of them."""
+import os
+import pathlib
+import sys
+from xml.sax.saxutils import quoteattr
+
+from . import arrays
 
 
 def run(sim, flow, dt, steps, *, time=None, after=None, progress=None):
@@ -17,8 +23,9 @@ def run(sim, flow, dt, steps, *, time=None, after=None, progress=None):
         Where to begin; by default where the last step ended.
     after : callable, optional
         Called as `after(sim, report)` after each step; the run ends where it returns False.
-    progress : callable, optional
-        Called with a line of text after each step: `print`, for one.
+    progress : callable or bool, optional
+        Called with a line of text after each step: `print`, for one. True: the line stands on standard
+        error, and each takes the place of the one before.
 
     Returns
     -------
@@ -30,14 +37,49 @@ def run(sim, flow, dt, steps, *, time=None, after=None, progress=None):
     >>> [report.unreached for report in reports]
     [0, 0, 0]
     """
+    if progress is True:
+        def progress(line):
+            end = "\033[K" if len(reports) < steps else "\033[K\n"
+            print(f"\r{line}", end=end, file=sys.stderr, flush=True)
     begin = sim.time if time is None else time
     reports = []
     for k in range(steps):
         report = sim.step(flow, begin + k * dt, dt)
         reports.append(report)
-        if progress is not None:
+        if progress:
             progress(f"step {k + 1} of {steps}, t = {sim.time:.6g}, {report.interface_vertices} interface vertices, "
                      f"{report.unreached} unreached")
         if report.gave_up or (after is not None and after(sim, report) is False):
             break
     return reports
+
+
+class Series:
+    """Meshes over time as a file `NAME.pvd`, which ParaView plays, beside their files `NAME_00000.vtu`.
+
+    Parameters
+    ----------
+    path : str or pathlib.Path
+        Of the .pvd file; it is whole after each mesh that is added.
+
+    Examples
+    --------
+    >>> series = dsc.Series(folder / "swirl.pvd")
+    >>> reports = dsc.run(sim, dsc.swirl(), 0.01, 3, after=lambda sim, report: series.add(sim.mesh, sim.time))
+    """
+
+    def __init__(self, path):
+        self._path = pathlib.Path(path)
+        if self._path.suffix != ".pvd":
+            arrays.refuse("no name of a series", "Series", repr(str(path)), "one that ends in .pvd")
+        self._entries = []
+
+    def add(self, mesh, time):
+        """Writes a mesh and names it in the .pvd file."""
+        path = self._path.with_name(f"{self._path.stem}_{len(self._entries):05d}.vtu")
+        mesh.write_vtu(path)
+        self._entries.append(f'<DataSet timestep="{float(time)!r}" file={quoteattr(path.name)}/>\n')
+        part = self._path.with_name(self._path.name + ".part")
+        part.write_text('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
+                        + "".join(self._entries) + "</Collection>\n</VTKFile>\n", encoding="utf-8")
+        os.replace(part, self._path)
