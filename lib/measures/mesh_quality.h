@@ -2,10 +2,9 @@
 // How good the triangles of a mesh are.
 #pragma once
 
-#include "dsc/complex/complex.h"
-#include "dsc/complex/gather.h"
+#include "dsc/algorithm/simulation.h"
 
-#include <span>
+#include <cstdint>
 #include <vector>
 
 namespace dsc::scenes {
@@ -26,33 +25,22 @@ template <class Real>
 [[nodiscard]] MeshQuality measure_worst(const Complex<Real>& complex);
 
 /// The worst triangle of all moments at which it looks, without a look at the whole mesh: a
-/// triangle that no edit has touched since the last look is what it was then. It has to be told all
-/// edits:
-///
-///     simulation.add_listener([&](std::span<const Edit> edits) { watch.note(edits); });
+/// triangle that no step has touched since the last look is what it was then.
 template <class Real>
 class QualityWatch {
 public:
-    /// The complex must outlive it. The first look is at all triangles.
-    explicit QualityWatch(const Complex<Real>& complex) : complex_(complex) {}
+    /// The simulation must outlive it and have no other. The first look is at all triangles.
+    explicit QualityWatch(Simulation<Real>& simulation) : simulation_(simulation) {}
 
-    /// Notes what has to be looked at. O(edits).
-    void note(std::span<const Edit> edits);
-    /// The next look is at all triangles: the mesh became another without edits.
+    /// The next look is at all triangles: something other than a step has changed the mesh.
     void forget() { is_known_ = false; }
-    /// `min_quality` is the least at any look so far, `inverted` is the number now. O(stars that
-    /// edits have touched), O(n) for the first one.
+    /// `min_quality` is the least at any look so far, `inverted` is the number now. O(poor stars
+    /// and edits of steps other than moves), O(n) for the first one.
     [[nodiscard]] MeshQuality look();
 
 private:
-    void look_at(Triangle t);
-    void look_at(Vertex v, Ring<Real>& ring); // at its star
-
-    const Complex<Real>& complex_;
-    bool is_known_ = false;              ///< all triangles but those of `touched_`
-    std::vector<std::uint32_t> touched_; ///< vertices, with duplicates
-    std::vector<std::uint32_t> visited_; ///< by vertex: the last look at its star
-    std::uint32_t looks_ = 0;
+    Simulation<Real>& simulation_;
+    bool is_known_ = false;               ///< all triangles but those that steps have touched
     std::vector<std::uint32_t> inverted_; ///< triangles
     double min_quality_ = 1;
 };

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <memory>
 #include <random>
+#include <utility>
 
 namespace dsc::scenes::mesh_quality_test {
 namespace {
@@ -85,26 +86,40 @@ TEST(MeshQuality, IsThatOfALookAtEachTriangle) {
     }
 }
 
+// Turns two triangles of a hexagon over, in its first run.
+class TurnsOver : public Stage<double> {
+public:
+    void run(const Between<double>& between) override {
+        if (std::exchange(is_first_, false)) {
+            between.complex.set_position(Vertex{0}, {1.5, 0}); // beyond the edges on the right
+        }
+    }
+
+private:
+    bool is_first_ = true;
+};
+
 // What was inverted counts until it no longer is; the least quality stays.
-TEST(QualityWatch, LooksAtWhatWasTouched) {
+TEST(QualityWatch, LooksAtWhatStagesDo) {
     auto complex = test::hexagon<double>();
-    const LogReader journal(complex.journal);
-    QualityWatch<double> watch(complex);
+    Simulation<double> simulation(complex, {.edge_length = 1});
+    simulation.add_stage(std::make_shared<TurnsOver>());
+    QualityWatch<double> watch(simulation);
     EXPECT_EQ(watch.look().min_quality, measure_worst(complex).min_quality);
-    std::size_t told = 0;
-    const auto move_and_look = [&](double x) {
-        complex.set_position(Vertex{0}, {x, 0});
-        watch.note(journal.edits().subspan(told));
-        told = journal.edits().size();
-        return watch.look();
+    const dsc::Velocity<double> at_rest = [](auto, double, auto velocities) {
+        std::ranges::fill(velocities, Point<double>(0, 0));
     };
-    const MeshQuality beyond = move_and_look(1.5);
+    simulation.step(at_rest, 0, 1);
+    const MeshQuality beyond = watch.look();
     EXPECT_EQ(beyond.inverted, 2U);
     EXPECT_LT(beyond.min_quality, 0);
     EXPECT_EQ(watch.look().inverted, 2U) << "nothing was touched in between";
-    const MeshQuality back = move_and_look(0);
-    EXPECT_EQ(back.inverted, 0U);
-    EXPECT_EQ(back.min_quality, beyond.min_quality);
+    for (int step = 1; step < 4; ++step) { // what the mesh update makes of it
+        simulation.step(at_rest, step, 1);
+        const MeshQuality after = watch.look();
+        EXPECT_EQ(after.inverted, measure_worst(complex).inverted);
+        EXPECT_EQ(after.min_quality, beyond.min_quality);
+    }
 }
 
 // After every step the same as a look at the whole mesh, to the bit.
@@ -120,8 +135,7 @@ void expect_a_look_at_all(const Options<Real>& options, const Division* division
     if (topology.changes()) {
         simulation.add_stage(std::make_shared<TopologyStage<Real>>(topology));
     }
-    QualityWatch<Real> watch(complex);
-    simulation.add_listener([&](std::span<const Edit> edits) { watch.note(edits); });
+    QualityWatch<Real> watch(simulation);
     // Draws the disc out to two drops with a neck between them, and back.
     const dsc::Velocity<Real> squeeze = [](auto positions, Real time, auto velocities) {
         const Real speed = time < Real(0.5) ? 1 : -1;

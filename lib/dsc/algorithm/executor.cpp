@@ -137,6 +137,15 @@ void Executor<Real>::keep_edits(bool keep) {
 }
 
 template <class Real>
+void Executor<Real>::watch_quality(double quality) {
+    // More than rounding in either precision.
+    const double positive = std::max(quality, 0.0);
+    for (Work<Real>* work : works_) {
+        work->watched_quality = positive * positive * 1.01 + 1e-5;
+    }
+}
+
+template <class Real>
 void Executor<Real>::resize(std::span<const std::uint32_t> list) {
     append(whole_.resized, list);
 }
@@ -152,6 +161,7 @@ void Executor<Real>::absorb(std::span<const Edit> edits) {
         }
         clear_stamps(complex_);
         list_interface();
+        whole_.poor.push_back(no_id);
     }
     is_kept_up_ = false;
     change_interface(interface_changes(after));
@@ -323,6 +333,10 @@ void Executor<Real>::collect_changes() {
 
 template <class Real>
 void Executor<Real>::collect_edits() {
+    for (Work<Real>* work : works_) {
+        append(poor_, work->poor);
+        work->poor.clear();
+    }
     if (whole_.log.readers == 0) {
         return;
     }
@@ -342,6 +356,19 @@ std::span<const Edit> Executor<Real>::take_edits() {
     collect_edits();
     taken_.swap(edits_);
     return taken_;
+}
+
+// Stars that are still active have been changed by a stage, by a pass of an application, or by a
+// sub-step that gave up.
+template <class Real>
+std::span<const std::uint32_t> Executor<Real>::take_poor() {
+    collect_edits();
+    taken_poor_.clear();
+    taken_poor_.swap(poor_);
+    for (const Work<Real>* work : works_) {
+        append(taken_poor_, work->active);
+    }
+    return taken_poor_;
 }
 
 template <class Real>

@@ -78,6 +78,8 @@ public:
     void add_remeshing(const Pass<Real>& pass);
     /// Whether records of edits are kept from now on, for `take_edits`.
     void keep_edits(bool keep);
+    /// As `Simulation::watch_quality`.
+    void watch_quality(double quality);
     /// Vertices that the next mesh update has to look at, because their edges or the targets of
     /// these may have to change.
     void resize(std::span<const std::uint32_t> list);
@@ -115,6 +117,8 @@ public:
     /// The records of edits since the last call, in an order in which they can be replayed; valid
     /// until the next call.
     [[nodiscard]] std::span<const Edit> take_edits();
+    /// As `Simulation::take_poor`.
+    [[nodiscard]] std::span<const std::uint32_t> take_poor();
     /// The edits counted since the last call.
     [[nodiscard]] OperationCounts take_counts();
 
@@ -170,8 +174,10 @@ protected:
     std::unique_ptr<InterfaceSight<Real>> sight_; ///< targets of the whole interface at once
 
 private:
-    std::vector<Edit> edits_; ///< in the order of the sections, and there of `works_`
-    std::vector<Edit> taken_; ///< those of the last `take_edits`; its room is used again
+    std::vector<Edit> edits_;         ///< in the order of the sections, and there of `works_`
+    std::vector<Edit> taken_;         ///< those of the last `take_edits`; its room is used again
+    std::vector<std::uint32_t> poor_; ///< of the sections so far
+    std::vector<std::uint32_t> taken_poor_; ///< those of the last `take_poor`
 };
 
 // --- the parts of a sub-step ---------------------------------------------------------------------

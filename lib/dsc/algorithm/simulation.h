@@ -152,6 +152,17 @@ public:
     /// their order are the same for any number of threads. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
+    /// From now on steps note where they may leave triangles of this quality (equation 4) or less.
+    /// The mesh update knows the quality of the stars that it leaves, so that this costs next to
+    /// nothing.
+    void watch_quality(double quality) { executor_->watch_quality(quality); }
+    /// Vertices whose stars hold all triangles of the watched quality or less that steps have made
+    /// or changed since the last call, and some others; with duplicates, and some may have
+    /// vanished. `no_id` is among them if the mesh is another: by `renumber`, or created and
+    /// merged. What the application does between steps belongs to the next one. Valid until the
+    /// next call. O(their number).
+    [[nodiscard]] std::span<const std::uint32_t> take_poor() { return executor_->take_poor(); }
+
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
     /// its pass at the end of the remeshing. Between two steps. Throws InputError if the stage does
     /// not suit the complex or the options, or already belongs to a simulation that lives.

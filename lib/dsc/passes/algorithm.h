@@ -116,6 +116,11 @@ struct Work : Unmovable {
     std::vector<KeptStar> stars;
     std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
+    /// Squared quality at or below which the mesh update lists a star in `poor`; -1: in no case.
+    double watched_quality = -1;
+    /// Vertices in whose stars the mesh update has left triangles that are so poor, or that it has
+    /// not examined after their last edit; with duplicates.
+    std::vector<std::uint32_t> poor;
     /// Vertices to be looked at in the next mesh update because the target length of edges changes
     /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
     std::vector<std::uint32_t> resized;

@@ -52,6 +52,13 @@ bool is_delaunay(const Complex<Real>& complex, Corner corner) {
 
 // --- of a star -----------------------------------------------------------------------------------
 
+/// The signed squared quality of a triangle, as that of a star.
+template <class Real>
+Real quality_squared(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    return sine_squared_of_lanes<Real>(b.x() - a.x(), b.y() - a.y(), c.x() - a.x(), c.y() - a.y()) *
+           Real(4.0 / 3.0);
+}
+
 /// The smallest signed squared quality of the ring's triangles with the centre at (px, py).
 template <class Real>
 Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {

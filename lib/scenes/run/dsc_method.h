@@ -87,7 +87,7 @@ public:
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
         }
         simulation_ = std::make_unique<Simulation<Real>>(complex_, options_, std::move(executor));
-        simulation_->add_listener([this](std::span<const Edit> edits) { watch_.note(edits); });
+        watch_.emplace(*simulation_);
         if (const auto topology = topology_options<Real>(parameters); topology.changes()) {
             topology_ = std::make_shared<TopologyStage<Real>>(topology);
             simulation_->add_stage(topology_);
@@ -152,7 +152,7 @@ public:
             fluid_->archive(archive);
         }
         if (archive.is_reading()) {
-            watch_.forget();
+            watch_->forget();
         }
         leg_ = velocity_before(step);
     }
@@ -165,7 +165,7 @@ public:
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] const Executor<Real>& executor() const { return *executor_; }
     /// The worst quality at any look so far, and the triangles that are inverted now.
-    [[nodiscard]] MeshQuality worst() { return watch_.look(); }
+    [[nodiscard]] MeshQuality worst() { return watch_->look(); }
     /// The largest error of the value at the vertices; NaN if there is none.
     [[nodiscard]] double value_error() const {
         return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
@@ -224,7 +224,7 @@ private:
         if constexpr (std::is_same_v<Real, double>) {
             const StepReport report = fluid_->step(*simulation_, setup_.dt);
             if (report.gave_up != GiveUp::none || !fluid_->failure().empty()) {
-                watch_.forget();
+                watch_->forget();
             }
             take(report, time, result);
             if (!fluid_->failure().empty()) {
@@ -281,9 +281,9 @@ private:
 
     const Setup& setup_;
     Complex<Real> complex_;
-    QualityWatch<Real> watch_{complex_};
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
+    std::optional<QualityWatch<Real>> watch_;       // of the simulation
     std::shared_ptr<TopologyStage<Real>> topology_; ///< null where the topology is kept
     const Executor<Real>* executor_ = nullptr;      // of the simulation
     std::uint32_t threads_of_copies_ = 1;           ///< of the strategy that copies submeshes

@@ -73,6 +73,7 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     run_tasks();
     costs_.run_s += timer.lap();
     merge_submeshes(submeshes_, complex_);
+    whole_.poor.assign(1, no_id);
     if (whole_.log.readers > 0) {
         whole_.log.records.push_back({.kind = EditKind::rebuild});
     }

@@ -188,6 +188,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
         parts_.back()->pool = &complex_.ids.lend(parts_.size() - 1);
         parts_.back()->make_room(Part::least_room);
         parts_.back()->work.log.readers = whole_.log.readers;
+        parts_.back()->work.watched_quality = whole_.watched_quality;
     }
     first_colour_ = parts_.empty() ? 0 : partition_.colours.front().regions.size();
     works_.clear();

@@ -77,6 +77,7 @@ void SubmeshExecutor<Real>::put_back() {
         work->deferred.clear();
         work->moving_vertices.clear();
     }
+    append(whole_.poor, later);
     if (progress_ == Progress::has_targets) { // every vertex of the interface is in a list
         for (const std::uint32_t v : whole_.interface) {
             home_of(v).interface.push_back(v);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 namespace dsc {
 
@@ -43,9 +44,11 @@ public:
         Real length = 0; // the target, followed once in a visit
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
+                list_unexamined(v);
                 return;
             }
             if (waiting_.applies() && waits(work_, waiting_, ring_)) {
+                list_unexamined(v);
                 deferred(work_, v);
                 return;
             }
@@ -77,6 +80,8 @@ public:
             if (!ring_.closed) {
                 const BoundaryRemeshing done = keep_wall(v, star, length);
                 if (done == BoundaryRemeshing::gone) {
+                    list_unexamined(ring_.link[0]);
+                    list_unexamined(ring_.link[ring_.size]);
                     return;
                 }
                 if (done == BoundaryRemeshing::split) {
@@ -91,8 +96,10 @@ public:
             if (!ring_.one_phase && star.quality < needle_ && split_beside_short()) {
                 continue;
             }
+            list_if_poor(v, star.quality);
             return;
         }
+        list_unexamined(v);
         is_unfinished_ = true;
     }
 
@@ -112,8 +119,10 @@ public:
                 return !gather_star(v) || examine(ring_, margins_).longest <=
                                               far * limits(ring_.phase[0], sizes_.at(v)).longest;
             };
-            std::copy(active.begin() + static_cast<std::ptrdiff_t>(visited), active.end(),
-                      std::back_inserter(work_.resized));
+            for (const std::uint32_t v : std::span(active).subspan(visited)) {
+                list_unexamined(v);
+                work_.resized.push_back(v);
+            }
             std::remove_copy_if(active.begin(),
                                 active.begin() + static_cast<std::ptrdiff_t>(visited),
                                 std::back_inserter(work_.resized), is_done);
@@ -134,6 +143,16 @@ private:
         }
         return gathered && ring_.owned;
     }
+
+    // --- what is told to who watches the quality ----------------------------------------------
+    // After the last edit of a star that this pass makes: of a triangle that changes later, another
+    // vertex is listed.
+    void list_if_poor(std::uint32_t v, Real quality) {
+        if (static_cast<double>(quality) <= work_.watched_quality) [[unlikely]] {
+            work_.poor.push_back(v);
+        }
+    }
+    void list_unexamined(std::uint32_t v) { list_if_poor(v, Real(0)); }
 
     // --- flips --------------------------------------------------------------------------------
     bool flip_incident_edges() {
@@ -192,8 +211,11 @@ private:
                 continue;
             }
             const auto at = [this](std::uint32_t v) { return complex_.position(Vertex{v}); };
-            if (is_delaunay<Real>(at(near.v[i]), at(near.v[next_index(i)]), apex(o),
-                                  at(near.v[prev_index(i)]))) {
+            const Point<Real> here = at(near.v[i]);
+            const Point<Real> from = at(near.v[next_index(i)]);
+            const Point<Real> across = apex(o);
+            const Point<Real> to = at(near.v[prev_index(i)]);
+            if (is_delaunay<Real>(here, from, across, to)) {
                 continue;
             }
             if (!owns(complex_, region, complex_.vertex(o)) ||
@@ -207,6 +229,10 @@ private:
                 continue;
             }
             rewire::flip(complex_, work_.log, c);
+            if (work_.watched_quality >= 0) {
+                list_if_poor(near.v[i], std::min(quality_squared<Real>(here, from, across),
+                                                 quality_squared<Real>(here, across, to)));
+            }
             ++flips;
             candidates.push_back(c);
             candidates.push_back(prev(c));
@@ -250,6 +276,7 @@ private:
         if (collapse_star(work_, ring_, i) != Verdict::legal) {
             return false;
         }
+        list_unexamined(target);
         sizes_.look_again(ring_);
         // Restore the Delaunay condition around the vertex that took over the star.
         Ring<Real>& star = work_.other_ring;
@@ -295,6 +322,7 @@ private:
                 work_.deferred.star(v);
             }
             if (result.verdict == Verdict::legal) {
+                list_unexamined(result.vertex.id);
                 return BoundaryRemeshing::split;
             }
         }
@@ -336,6 +364,7 @@ private:
         rewire::move(complex_, work_.log, v, best_x, best_y, MoveReason::smoothing);
         ring_.x0 = best_x;
         ring_.y0 = best_y;
+        list_if_poor(v, best);
         return true;
     }
 
@@ -385,6 +414,9 @@ private:
             dsc::split(work_, prev(ring_.corner[incident_edge]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
             work_.deferred.star(ring_.vertex);
+        }
+        if (result.verdict == Verdict::legal) {
+            list_unexamined(result.vertex.id);
         }
         return result.verdict == Verdict::legal;
     }
