@@ -70,7 +70,7 @@ int winding_of_others(const Boundary& boundary, std::uint32_t edge) {
 
 template <class Real>
 std::string find_overlap(const Complex<Real>& complex, ValidationReport& report) {
-    const Parts parts = label_parts(complex, [](Corner) { return true; });
+    const Parts parts = label_parts(complex, [](Triangle) { return std::array{true, true, true}; });
     report.components = parts.count;
     const Boundary boundary = collect_boundary(complex, parts.of);
     report.boundary_loops = boundary.loops.size();

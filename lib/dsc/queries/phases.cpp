@@ -59,23 +59,38 @@ Components components(const Complex<Real>& complex) {
     for (const TriangleRecord& triangle : complex.triangles) {
         phase_of.push_back(triangle.phase);
     }
-    Parts parts = label_parts(complex, [&](Corner c) {
-        const bool is_free = phase_of[triangle_of(c)] == phase_of[triangle_of(complex.twin(c))];
-        if (!is_free) {
-            constrained.push_back(c);
+    PartsInPieces parts = label_pieces(complex, [&](Triangle t) {
+        const auto& across = complex.triangles[t.id].n;
+        const auto is_free = [&](std::uint32_t i) {
+            return phase_of[triangle_of(across[i])] == phase_of[t.id];
+        };
+        const std::array joined{is_free(0), is_free(1), is_free(2)};
+        if (!(joined[0] & joined[1] & joined[2])) [[unlikely]] {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                if (!joined[i]) {
+                    constrained.push_back(corner_of(t.id, i));
+                }
+            }
         }
-        return is_free;
+        return joined;
     });
     result.list.resize(parts.count);
-    result.of = std::move(parts.of);
-    for (std::uint32_t t = 0; t < complex.triangle_bound(); ++t) {
-        if (const std::uint32_t part = result.of[t]; part != no_id) {
-            Component& component = result.list[part];
-            component.phase = phase_of[t];
+    for (std::uint32_t t = border_triangle + 1; t < parts.of.size();) {
+        const std::uint32_t part = parts.part(t);
+        if (part == no_id) {
+            ++t;
+            continue;
+        }
+        Component component = result.list[part]; // in registers along triangles of one component
+        component.phase = phase_of[t];
+        for (; t < parts.of.size() && parts.part(t) == part; ++t) {
+            parts.of[t] = part;
             ++component.triangles;
             component.area += area_in_double(complex, Triangle{t});
         }
+        result.list[part] = component;
     }
+    result.of = std::move(parts.of);
     const auto is_edge = [&](Corner c) { return is_constrained(complex, c); };
     for_each_loop(
         complex, HalfEdges(std::move(constrained)), is_edge, [&](std::span<const Corner> outline) {

@@ -93,53 +93,74 @@ struct Parts {
     std::vector<std::uint32_t> of; ///< by id of the triangle; `no_id` where none lives
 };
 
-/// Two triangles that share an edge are in one part if `joins(corner)` holds for the corners
-/// opposite to it, both of them or neither; it is asked once for each, ascending. O(triangles): one
-/// sweep by id, in which a triangle takes the smallest number of its neighbours before it, and
-/// another one once it is known which of these numbers are the same part.
-template <class Real, class Joins>
-[[nodiscard]] Parts label_parts(const Complex<Real>& complex, Joins joins) {
-    Parts parts{.of = std::vector<std::uint32_t>(complex.triangle_bound(), no_id)};
-    std::vector<std::uint32_t> same_as; // by number: a smaller one of the same part, or itself
+/// Parts in pieces: `of` has the number of a triangle's piece.
+struct PartsInPieces : Parts {
+    std::vector<std::uint32_t> part_of; ///< by number of the piece
+
+    /// The part of a triangle; `no_id` where none lives. O(1).
+    [[nodiscard]] std::uint32_t part(std::uint32_t triangle) const {
+        return of[triangle] == no_id ? no_id : part_of[of[triangle]];
+    }
+};
+
+/// Two triangles that share an edge are in one part if `joined(triangle)[i]` is true for both of
+/// them, i being the index of the corner opposite to the edge; or for neither. It is asked once for
+/// each triangle, ascending. O(triangles): one sweep by id, in which a triangle takes the smallest
+/// number of its neighbours before it.
+template <class Real, class Joined>
+[[nodiscard]] PartsInPieces label_pieces(const Complex<Real>& complex, Joined joined) {
+    PartsInPieces parts;
+    parts.of.resize(complex.triangle_bound(), no_id);
+    std::uint32_t* const number_of = parts.of.data();
+    std::vector<std::uint32_t>& same_as = parts.part_of; // so far a smaller one, or itself
     const auto smallest = [&](std::uint32_t number) {
         while (same_as[number] != number) {
             number = same_as[number] = same_as[same_as[number]];
         }
         return number;
     };
-    for (std::uint32_t t = border_triangle + 1; t < complex.triangle_bound(); ++t) {
-        if (!complex.is_alive(Triangle{t})) {
+    const auto bound = static_cast<std::uint32_t>(parts.of.size());
+    for (std::uint32_t t = border_triangle + 1; t < bound; ++t) {
+        const TriangleRecord& triangle = complex.triangles[t];
+        if (triangle.v[0] == no_id) {
             continue;
         }
-        std::array<std::uint32_t, 3> before{}; // no_id: comes later, or is not joined
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t, i);
-            const std::uint32_t number = parts.of[triangle_of(complex.twin(c))];
-            before[i] = joins(c) ? number : no_id;
-        }
+        const std::array<bool, 3> is_joined = joined(Triangle{t});
+        const auto of_neighbour = [&](std::uint32_t i) { // no_id: comes later, or is not joined
+            const std::uint32_t number = number_of[triangle_of(triangle.n[i])];
+            return is_joined[i] ? number : no_id;
+        };
+        const std::array before{of_neighbour(0), of_neighbour(1), of_neighbour(2)};
         std::uint32_t number = std::min(before[0], std::min(before[1], before[2]));
-        if (number == no_id) {
+        if (number == no_id) [[unlikely]] {
             number = static_cast<std::uint32_t>(same_as.size());
             same_as.push_back(number);
         }
-        bool is_one = true; // all numbers are: asked without a branch for each
-        for (std::uint32_t& other : before) {
-            other = other == no_id ? number : other;
-            is_one = is_one & (other == number);
-        }
-        if (!is_one) {
+        const auto is_same = [&](std::uint32_t i) {
+            return (before[i] == number) | (before[i] == no_id);
+        };
+        if (!(is_same(0) & is_same(1) & is_same(2))) [[unlikely]] {
             for (const std::uint32_t other : before) {
-                const auto [low, high] = std::minmax({smallest(other), smallest(number)});
-                same_as[high] = low;
+                if (other != no_id) {
+                    const auto [low, high] = std::minmax({smallest(other), smallest(number)});
+                    same_as[high] = low;
+                }
             }
         }
-        parts.of[t] = number;
+        number_of[t] = number;
     }
     for (std::uint32_t& number : same_as) { // ascending: the smaller one is final already
         number = &number - same_as.data() == number ? parts.count++ : same_as[number];
     }
-    for (std::uint32_t& number : parts.of) {
-        number = number == no_id ? no_id : same_as[number];
+    return parts;
+}
+
+/// The same with the parts of all triangles. O(triangles).
+template <class Real, class Joined>
+[[nodiscard]] Parts label_parts(const Complex<Real>& complex, Joined joined) {
+    PartsInPieces parts = label_pieces(complex, joined);
+    for (std::uint32_t t = 0; t < parts.of.size(); ++t) {
+        parts.of[t] = parts.part(t);
     }
     return parts;
 }

@@ -29,7 +29,10 @@ public:
     Filling(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains)
         : complex_(complex), paths_(paths) {
         raise_walls(chains);
-        Parts parts = label_parts(complex, [&](Corner c) { return !is_wall(c); });
+        Parts parts = label_parts(complex, [&](Triangle t) {
+            const auto is_open = [&](std::uint32_t i) { return !is_wall(corner_of(t.id, i)); };
+            return std::array{is_open(0), is_open(1), is_open(2)};
+        });
         regions_.resize(parts.count);
         region_of_ = std::move(parts.of);
     }
