@@ -3,7 +3,9 @@
 
 #include "dsc/base/error.h"
 #include "scenes/catalogue/catalogue.h"
+#include "scenes/command_line/arguments.h"
 #include "scenes/command_line/command_line.h"
+#include "scenes/command_line/space_program.h"
 #include "scenes/file/describe.h"
 #include "scenes/file/excerpt.h"
 #include "scenes/file/scene_file.h"
@@ -11,14 +13,11 @@
 #include "scenes/output/machine.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
-#include "scenes/space/run.h"
 
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -28,41 +27,6 @@
 namespace dsc::scenes {
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-// A second signal ends the program at once; but a terminal that closes often sends two SIGHUP.
-void on_interrupt(int number) {
-    interrupted.store(true);
-    if (number != SIGHUP) {
-        std::signal(number, SIG_DFL);
-    }
-}
-
-// What is ignored, as under nohup, stays so.
-void heed_interrupts() {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
-        if (std::signal(number, on_interrupt) == SIG_IGN) {
-            std::signal(number, SIG_IGN);
-        }
-    }
-}
-
-struct Arguments {
-    std::optional<std::string> scene;
-    std::vector<std::string> settings;
-    std::optional<std::string> strategy;
-    RunOptions run;
-    std::optional<std::uint32_t> threads;
-    std::optional<std::string> events;
-    std::optional<std::string> json;
-    std::optional<std::string> series;
-    std::optional<std::string> edits;
-    std::optional<std::string> pictures;
-    std::optional<std::string> checkpoint;
-    std::optional<std::string> resume;
-    std::optional<int> every;
-};
 
 template <class AnyScene>
 void list_scenes(const std::vector<AnyScene>& scenes) {
@@ -181,15 +145,6 @@ RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes
             .commit = {}};
 }
 
-template <class AnyScene>
-Parameters with_settings(const AnyScene& scene, const std::vector<std::string>& settings) {
-    Parameters parameters = scene.defaults;
-    for (const std::string& setting : settings) {
-        apply_setting(parameters, scene.keys, setting);
-    }
-    return parameters;
-}
-
 void check_usage(const Arguments& arguments) {
     const auto refuse = [](const char* what, const char* where, const char* value,
                            const char* allowed) {
@@ -238,40 +193,11 @@ void check_files(const Arguments& arguments, const RunOrigin& origin, const Scen
     check_outputs(outputs, others);
 }
 
-// A scene in three dimensions takes fewer options.
-int run(const space::Scene& scene, const Arguments& arguments) {
-    if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
-        arguments.edits || arguments.pictures || arguments.checkpoint || arguments.run.stop_after) {
-        throw InputError({.what = "not for scenes in three dimensions",
-                          .where = "run " + scene.name,
-                          .value = "another option",
-                          .allowed = "--set, --json, --frames, --every and --at"});
-    }
-    FramePlan frames = arguments.run.frames;
-    frames.every = arguments.every.value_or(0);
-    if (arguments.json) {
-        std::vector<NamedFile> others;
-        if (const std::filesystem::path folder(frames.folder); !folder.empty()) {
-            others.push_back({"--frames", (folder / "").parent_path().string()});
-        }
-        check_outputs({{"--json", *arguments.json}}, others);
-    }
-    const Parameters parameters = with_settings(scene, arguments.settings);
-    heed_interrupts();
-    std::signal(SIGXFSZ, SIG_IGN);
-    const space::RunResult result = space::run_scene(scene, parameters, frames, interrupted);
-    space::print_summary(result);
-    if (arguments.json) {
-        write_file(*arguments.json, space::to_json(result));
-    }
-    return result.holds() && !result.interrupted ? 0 : 1;
-}
-
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
     check_usage(arguments);
     if (const space::Scene* scene =
             arguments.scene ? space::find_scene(*arguments.scene) : nullptr) {
-        return run(*scene, arguments);
+        return run_in_space(*scene, arguments);
     }
     const std::optional<Checkpoint> checkpoint =
         arguments.resume ? std::optional(read_checkpoint(*arguments.resume)) : std::nullopt;
@@ -303,8 +229,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
         options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
     }
     options.resume = checkpoint ? &*checkpoint : nullptr;
-    heed_interrupts();
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
+    heed_signals();
 
     const RunResult result = run_scene(scene, parameters, options);
     print_summary(result);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// `dsc_scene run` for a scene in three dimensions.
+#pragma once
+
+#include "scenes/command_line/arguments.h"
+#include "scenes/space/scene.h"
+
+namespace dsc::scenes {
+
+/// Runs the scene, prints and writes what was asked for, and returns the exit code. Throws
+/// InputError for options that are not for three dimensions.
+int run_in_space(const space::Scene& scene, const Arguments& arguments);
+
+} // namespace dsc::scenes
