@@ -6,7 +6,7 @@
 project_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project_root" || exit 2
 
-build_packages=(cmake g++ ninja-build git libeigen3-dev libboost-dev zlib1g-dev
+build_packages=(cmake g++ ninja-build git libeigen3-dev libboost-dev zlib1g-dev libassimp-dev
     nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev
     python3-yaml pybind11-dev python3-dev python3-numpy python3-venv)
 plot_packages=(python3 python3-matplotlib python3-meshio)

@@ -24,8 +24,9 @@
 #include "dsc3/passes/options.h"
 
 #include "dsc3/initial/initial_complex.h"
+#include "dsc3/initial/shapes.h"
 
 #include "dsc3/algorithm/simulation.h"
 
-#include "dsc3/io/ply.h"
+#include "dsc3/io/surface.h"
 #include "dsc3/io/vtu.h"

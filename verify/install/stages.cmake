@@ -17,6 +17,9 @@ stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
 # Headers: what an installed one includes is there, and each but dsc.h and those of the modules that
 # have their name is included by another. Nothing but dsc/ is below include/.
 set(modules dsc3 fluid geometric_flows replay thesis topology)
+if(EXISTS ${prefix}/include/dsc/surface_files)
+    list(APPEND modules surface_files)
+endif()
 file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
 set(included dsc/dsc.h)
 foreach(module IN LISTS modules)

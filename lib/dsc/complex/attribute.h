@@ -27,16 +27,32 @@ namespace dsc {
 /// The dimension of a simplex.
 enum class SimplexKind : std::uint8_t { vertex, edge, triangle };
 
-/// `Vertex`, `Edge` or `Triangle`.
+/// The kind of a type of handles. Specialised by libraries that have handles of their own; in three
+/// dimensions tets take the place of triangles.
 template <class Handle>
-concept SimplexHandle =
-    std::same_as<Handle, Vertex> || std::same_as<Handle, Edge> || std::same_as<Handle, Triangle>;
+struct HandleKind {};
+template <>
+struct HandleKind<Vertex> {
+    static constexpr SimplexKind value = SimplexKind::vertex;
+};
+template <>
+struct HandleKind<Edge> {
+    static constexpr SimplexKind value = SimplexKind::edge;
+};
+template <>
+struct HandleKind<Triangle> {
+    static constexpr SimplexKind value = SimplexKind::triangle;
+};
+
+/// `Vertex`, `Edge`, `Triangle` and others that have a kind.
+template <class Handle>
+concept SimplexHandle = requires {
+    HandleKind<Handle>::value;
+};
 
 /// The kind of a type of handles.
 template <SimplexHandle Simplex>
-inline constexpr SimplexKind kind_of = std::same_as<Simplex, Vertex> ? SimplexKind::vertex
-                                       : std::same_as<Simplex, Edge> ? SimplexKind::edge
-                                                                     : SimplexKind::triangle;
+inline constexpr SimplexKind kind_of = HandleKind<Simplex>::value;
 
 /// What happens to a field's value at a vertex that moves with the interface.
 enum class OnInterface : std::uint8_t {

@@ -149,6 +149,10 @@ public:
     void reset_edge(Corner to) { reset(SimplexKind::edge, to); }
     /// Triangle `to` is new.
     void reset_triangle(std::uint32_t to) { reset(SimplexKind::triangle, to); }
+    /// Triangle `to` inherits from `from`.
+    void copy_triangle(std::uint32_t to, std::uint32_t from) {
+        tell(SimplexKind::triangle, [&](AttributeBase& each) { each.copy(to, from); });
+    }
     /// See AttributeBase; `share()` is only called if there is an attribute to tell.
     template <class Share>
     void split_triangle(std::uint32_t to, std::uint32_t from, Share share) {

@@ -37,6 +37,12 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
                           .value = "time " + dsc::to_text(time) + ", dt " + dsc::to_text(dt),
                           .allowed = "finite times, dt of 0 or more"});
     }
+    if (complex_.attributes.has_fields()) {
+        throw InputError({.what = "an attribute is a field",
+                          .where = "Simulation::step",
+                          .value = "set_field(true)",
+                          .allowed = "values that vertices keep: fields in space are not sampled"});
+    }
     if (version_ != complex_.version) { // the application has edited the complex
         state_.grow();
         state_.find_interface();
@@ -56,6 +62,7 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
             break;
         }
         move(report);
+        complex_.attributes.failure.rethrow();
         remaining = part < remaining ? remaining - part : 0;
     }
     state_.update_interface();
@@ -119,6 +126,30 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
         }
     }
     return 0;
+}
+
+void Simulation::archive(dsc::Archive& archive) {
+    dsc::as_a_whole(archive, [this](dsc::Archive& each) { transfer(each); });
+}
+
+void Simulation::transfer(dsc::Archive& archive) {
+    bool is_edited = version_ != complex_.version; // since the last step
+    archive(complex_, is_edited);
+    version_ = complex_.version - (is_edited ? 1 : 0);
+    const std::uint64_t count = archive.length(late_.size(), 4 + 2 * sizeof(Point));
+    late_.resize(count);
+    for (Late& late : late_) {
+        archive(late.vertex);
+        archive.raw(late.place.data(), sizeof late.place);
+        archive.raw(late.target.data(), sizeof late.target);
+        archive.expect(late.vertex < complex_.vertex_bound(), "names a vertex that does not exist");
+    }
+    archive(state_.unfit);
+    for (const std::uint32_t t : state_.unfit) {
+        archive.expect(t < complex_.tet_bound(), "names a tet that does not exist");
+    }
+    state_.grow();
+    state_.find_interface();
 }
 
 void Simulation::move(StepReport& report) {

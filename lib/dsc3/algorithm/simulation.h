@@ -42,22 +42,30 @@ public:
     [[nodiscard]] const Options& options() const { return options_; }
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
-    /// them). Throws InputError if dt is negative or not finite.
+    /// them). Throws InputError if dt is negative or not finite, or an attribute is a field.
     StepReport step(const Velocity& velocity, Real time, Real dt);
+
+    /// Writes all that the steps to come depend on, the complex included, or reads it back into a
+    /// simulation with the same options; the steps that follow are then the same to the bit.
+    /// O(n log n). Throws FileError if the bytes hold no valid complex, or one with other
+    /// attributes: the simulation and its complex then go on from where they were.
+    void archive(dsc::Archive& archive);
 
     /// The vertices of the interface, by ascending id.
     [[nodiscard]] const std::vector<std::uint32_t>& interface() const { return state_.interface; }
 
 private:
     struct Late {
-        std::uint32_t vertex;
-        Point place; ///< where it is: a new vertex that got the id of an old one is elsewhere
-        Point target;
+        std::uint32_t vertex = no_id;
+        /// Where it is: a new vertex that got the id of an old one is elsewhere.
+        Point place = Point::Zero();
+        Point target = Point::Zero();
     };
     void find_origins();
     /// Returns the duration of the sub-step; 0 if more sub-steps than allowed would be needed.
     Real find_targets(const Velocity& velocity, Real time, Real remaining, StepReport& report);
     void move(StepReport& report);
+    void transfer(dsc::Archive& archive);
 
     Complex& complex_;
     dsc::Claim claim_;

@@ -55,7 +55,7 @@ inline constexpr Corner border_corner = 0;
 constexpr std::uint32_t tet_of(Corner corner) { return corner >> 2U; }
 
 /// The three other indices of a tet, such that (i, face_indices[i]...) is an even permutation: the
-/// face opposite to corner i, counter-clockwise as seen from that corner.
+/// face opposite to corner i, clockwise as seen from that corner.
 inline constexpr std::array<std::array<std::uint32_t, 3>, 4> face_indices{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 

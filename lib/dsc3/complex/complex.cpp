@@ -12,17 +12,20 @@ namespace dsc3 {
 Complex::Complex() {
     tets.push_back({{no_id, no_id, no_id, no_id}, {}});
     phases.push_back(border_phase);
+    attributes.resize_triangles(tets.size());
 }
 
 std::uint32_t Complex::take_vertex(const Point& position, std::uint32_t flags) {
     std::uint32_t id = vertex_bound();
     if (free_vertices.empty()) {
         vertices.emplace_back();
+        attributes.resize_vertices(vertices.size());
     } else {
         id = free_vertices.back();
         free_vertices.pop_back();
     }
     vertices[id] = {position, no_id, flags};
+    attributes.reset_vertex(id);
     return id;
 }
 
@@ -40,6 +43,7 @@ std::uint32_t Complex::take_tet() {
     }
     tets.push_back({{no_id, no_id, no_id, no_id}, {}});
     phases.push_back(exterior_phase);
+    attributes.resize_triangles(tets.size());
     return tet_bound() - 1;
 }
 

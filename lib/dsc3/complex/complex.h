@@ -4,6 +4,7 @@
 // interface: the faces between tets of different phases.
 #pragma once
 
+#include "dsc/base/archive.h"
 #include "dsc/complex/complex.h"
 #include "dsc3/base/types.h"
 
@@ -12,7 +13,27 @@
 #include <span>
 #include <vector>
 
+namespace dsc {
+
+template <>
+struct HandleKind<dsc3::Vertex> {
+    static constexpr SimplexKind value = SimplexKind::vertex;
+};
+template <>
+struct HandleKind<dsc3::Tet> {
+    static constexpr SimplexKind value = SimplexKind::triangle;
+};
+
+} // namespace dsc
+
 namespace dsc3 {
+
+/// One value for each vertex; see `Complex::attributes`.
+template <class T>
+using VertexAttribute = dsc::Attribute<T, Vertex>;
+/// One value for each tet.
+template <class T>
+using TetAttribute = dsc::Attribute<T, Tet>;
 
 /// What is known of a vertex. The first two follow from the tets around it; `validate` checks them.
 enum VertexFlag : std::uint32_t {
@@ -81,7 +102,7 @@ public:
         const auto& v = tets[t.id].v;
         return {Vertex{v[0]}, Vertex{v[1]}, Vertex{v[2]}, Vertex{v[3]}};
     }
-    /// The vertices of the face opposite to a corner, counter-clockwise as seen from there.
+    /// The vertices of the face opposite to a corner, clockwise as seen from there.
     [[nodiscard]] std::array<std::uint32_t, 3> face(Corner c) const {
         const auto& v = tets[tet_of(c)].v;
         const auto& i = face_indices[index_of(c)];
@@ -120,6 +141,12 @@ public:
     void give_vertex(std::uint32_t id);
     void give_tet(std::uint32_t id);
 
+    /// Data of the application, added by `attributes.add<dsc3::Vertex>("heat", 20.0)` or for `Tet`.
+    /// A vertex that splits an edge gets the blend of both ends, and otherwise a vertex keeps its
+    /// value: values are no samples of a field. A new tet inherits from the nearest of the tets of
+    /// its phase whose place it takes. What an attribute throws in an edit comes out when the
+    /// sub-step is done.
+    dsc::AttributeSet attributes;
     /// Grows with each edit: tells a simulation that the application has changed something.
     std::uint64_t version = 0;
     dsc::InUse in_use; ///< a second simulation at the same time is refused
@@ -140,6 +167,12 @@ public:
 [[nodiscard]] Complex make_complex(std::span<const Point> points,
                                    std::span<const std::array<std::uint32_t, 4>> tets,
                                    std::span<const Phase> phases);
+
+/// Writes a complex exactly as it is, or reads it back into one that has the same attributes: ids,
+/// free ids in their order, flags, and the entries of the attributes. Throws FileError for one with
+/// other attributes, or that is no valid complex; what was there stays then. References to
+/// attributes stay valid. O(n log n).
+void archive(dsc::Archive& archive, Complex& complex);
 
 /// Renumbers vertices and tets along a Morton curve, which makes a step faster by a quarter, and
 /// drops the free ids. All handles become invalid. O(n log n).

@@ -98,6 +98,17 @@ void renumber(Complex& complex) {
         }
     }
     next.version = complex.version + 1;
+    std::vector<std::uint32_t> order;
+    for (const auto& [index, v] : by_vertex) {
+        order.push_back(v);
+    }
+    complex.attributes.permute(dsc::SimplexKind::vertex, order);
+    order.assign(1, border_tet);
+    for (const auto& [index, t] : by_tet) {
+        order.push_back(t);
+    }
+    complex.attributes.permute(dsc::SimplexKind::triangle, order);
+    next.attributes = std::move(complex.attributes);
     complex = std::move(next);
 }
 

@@ -2,6 +2,7 @@
 #include "dsc3/complex/rewire.h"
 
 #include <bit>
+#include <limits>
 #include <utility>
 
 namespace dsc3 {
@@ -38,6 +39,47 @@ std::array<std::uint32_t, 3> face_key(const Complex& complex, Corner corner) {
     return {a, b, c};
 }
 
+template <class Vertices>
+Point centre_of(const Complex& complex, const Vertices& v) {
+    return 0.25 * (complex.at(v[0]) + complex.at(v[1]) + complex.at(v[2]) + complex.at(v[3]));
+}
+
+// For each new tet the nearest old one of its phase, or of any if there is none.
+void find_heirs(const Complex& complex, std::vector<std::uint32_t>& heirs,
+                std::span<const std::uint32_t> old, std::span<const NewTet> made) {
+    heirs.clear();
+    for (const NewTet& tet : made) {
+        const Point centre = centre_of(complex, tet.v);
+        std::pair<bool, Real> best{true, std::numeric_limits<Real>::infinity()};
+        std::uint32_t nearest = 0;
+        for (std::uint32_t i = 0; i < old.size(); ++i) {
+            const Point other = centre_of(complex, complex.tets[old[i]].v);
+            const std::pair here{complex.phases[old[i]] != tet.phase,
+                                 (other - centre).squaredNorm()};
+            if (here < best) {
+                best = here;
+                nearest = i;
+            }
+        }
+        heirs.push_back(nearest);
+    }
+}
+
+// New tets have taken the ids of old ones, so the old values lie beyond all ids meanwhile.
+void inherit(Complex& complex, std::span<const std::uint32_t> heirs,
+             std::span<const std::uint32_t> old, std::span<const std::uint32_t> made) {
+    const std::uint32_t bound = complex.tet_bound();
+    auto& attributes = complex.attributes;
+    attributes.resize_triangles(bound + old.size());
+    for (std::uint32_t i = 0; i < old.size(); ++i) {
+        attributes.copy_triangle(bound + i, old[i]);
+    }
+    for (std::size_t k = 0; k < made.size(); ++k) {
+        attributes.copy_triangle(made[k], bound + heirs[k]);
+    }
+    attributes.resize_triangles(bound);
+}
+
 } // namespace
 
 void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> old,
@@ -58,6 +100,10 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
             }
         }
     }
+    const bool inherits = !complex.attributes.empty(dsc::SimplexKind::triangle);
+    if (inherits) {
+        find_heirs(complex, work.heirs, old, made);
+    }
     const std::size_t first = work.changed.size();
     for (std::size_t k = 0; k < made.size(); ++k) {
         const std::uint32_t t = k < old.size() ? old[k] : complex.take_tet();
@@ -69,6 +115,9 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
             vertex.corner = corner_of(t, i);
             vertex.flags &= ~static_cast<std::uint32_t>(vertex_settled);
         }
+    }
+    if (inherits) {
+        inherit(complex, work.heirs, old, {work.changed.data() + first, made.size()});
     }
     for (std::size_t k = made.size(); k < old.size(); ++k) {
         complex.give_tet(old[k]);

@@ -57,6 +57,7 @@ struct Rewiring {
     std::vector<NewTet> made;             ///< tets to be made, as operations list them
     std::vector<std::uint32_t> changed;   ///< ids of tets that were written; the caller empties it
     std::vector<std::uint32_t> interface; ///< new vertices of the interface; the caller empties it
+    std::vector<std::uint32_t> heirs;     ///< for each new tet, which old one it inherits from
 };
 
 /// Replaces tets that fill a region by others that fill it. A face of the boundary that changes has

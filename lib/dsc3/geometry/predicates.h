@@ -6,7 +6,7 @@
 
 namespace dsc3 {
 
-/// +1 if (b, c, d) turns counter-clockwise as seen from a, -1 if clockwise, 0 if the four points
+/// +1 if (b, c, d) turns clockwise as seen from a, -1 if counter-clockwise, 0 if the four points
 /// lie in a plane or one is not finite. Exact for every finite input. Thread-safe.
 [[nodiscard]] int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 

@@ -10,8 +10,8 @@
 
 namespace dsc3 {
 
-/// Six times the signed volume of (a, b, c, d): positive where (b, c, d) turns counter-clockwise as
-/// seen from a.
+/// Six times the signed volume of (a, b, c, d): positive where (b, c, d) turns clockwise as seen
+/// from a.
 [[nodiscard]] inline Real determinant(const Point& a, const Point& b, const Point& c,
                                       const Point& d) {
     return (b - a).cross(c - a).dot(d - a);

@@ -137,7 +137,8 @@ Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Verte
     if (verdict != Verdict::legal) {
         return verdict;
     }
-    auto& [faces, old, made, changed, interface] = work.rewiring;
+    auto& old = work.rewiring.old;
+    auto& made = work.rewiring.made;
     old.clear();
     made.clear();
     for (const Corner corner : work.star.corners) {

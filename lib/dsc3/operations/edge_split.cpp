@@ -37,6 +37,11 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const P
     const std::uint32_t v =
         complex.take_vertex(place, (on_interface ? vertex_interface : 0U) |
                                        (ring.closed ? 0U : std::uint32_t{vertex_boundary}));
+    if (!complex.attributes.empty(dsc::SimplexKind::vertex)) {
+        const Point way = complex.at(edge.b) - complex.at(edge.a);
+        const Real fraction = (place - complex.at(edge.a)).dot(way) / way.squaredNorm();
+        complex.attributes.blend_vertex(v, edge.a, edge.b, std::clamp(fraction, Real(0), Real(1)));
+    }
     for (NewTet& tet : made) {
         *std::find(tet.v.begin(), tet.v.end(), no_id) = v;
     }

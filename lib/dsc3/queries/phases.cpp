@@ -25,8 +25,7 @@ std::vector<InterfaceFace> interface_faces(const Complex& complex) {
         for (std::uint32_t i = 0; i < 4; ++i) {
             const Phase beyond = complex.phase_at(complex.tets[t].n[i]);
             if (beyond < complex.phases[t]) { // the border's phase is the largest
-                const auto [a, b, c] = complex.face(corner_of(t, i));
-                faces.push_back({{a, c, b}, complex.phases[t], beyond});
+                faces.push_back({complex.face(corner_of(t, i)), complex.phases[t], beyond});
             }
         }
     }

@@ -39,6 +39,17 @@ template <class AnyScene>
     return parameters;
 }
 
+/// No file that the run writes may be another that it writes or reads; but it may go on in its own
+/// checkpoint. `files` are those that the scene names. Throws InputError.
+void check_files(const Arguments& arguments, const RunOrigin& origin,
+                 const std::vector<std::string>& files);
+
+/// When checkpoints are written, and what they say of the run.
+[[nodiscard]] CheckpointPlan checkpoint_plan(const Arguments& arguments, const RunOrigin& origin);
+
+/// After which step a run was interrupted, and how it goes on, on stderr.
+void tell_interruption(const std::string& program, const Arguments& arguments, int steps);
+
 /// Set by SIGINT, SIGTERM and SIGHUP, once they are heeded.
 extern std::atomic<bool> interrupted;
 

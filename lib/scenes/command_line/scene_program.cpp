@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -120,7 +119,9 @@ auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, R
 // The text of a scene file; empty for a scene of the list.
 std::string text_of_scene(const std::string& name, const std::vector<Scene>& scenes) {
     if (!is_scene_file(name)) {
-        (void)find_scene(name, scenes);
+        if (space::find_scene(name) == nullptr) {
+            (void)find_scene(name, scenes);
+        }
         return {};
     }
     return read_or_refuse(name, scenes, [&] { return read_text_file(name); });
@@ -133,6 +134,20 @@ SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
     }
     return read_or_refuse(origin.scene, scenes,
                           [&] { return read_scene_text(origin.text, origin.scene, scenes); });
+}
+
+// The same in three dimensions; nothing if it is a scene of the plane.
+std::optional<space::SceneFile> scene_in_space(const RunOrigin& origin,
+                                               const std::vector<Scene>& scenes) {
+    if (!is_scene_file(origin.scene)) {
+        const space::Scene* const scene = space::find_scene(origin.scene);
+        return scene != nullptr ? std::optional(space::SceneFile{.scene = *scene}) : std::nullopt;
+    }
+    if (!space::is_in_space(origin.text, origin.scene)) {
+        return std::nullopt;
+    }
+    return read_or_refuse(origin.scene, scenes,
+                          [&] { return space::read_scene_text(origin.text, origin.scene); });
 }
 
 // What the command line asks for.
@@ -161,44 +176,8 @@ void check_usage(const Arguments& arguments) {
     }
 }
 
-// No file that the run writes may be another that it writes or reads; but it may go on in its own
-// checkpoint.
-void check_files(const Arguments& arguments, const RunOrigin& origin, const SceneFile& file) {
-    std::vector<NamedFile> outputs;
-    for (const auto& [path, option] : {std::pair(&arguments.json, "--json"),
-                                       {&arguments.events, "--events"},
-                                       {&arguments.series, "--series"},
-                                       {&arguments.edits, "--edits"},
-                                       {&arguments.checkpoint, "--checkpoint"}}) {
-        if (*path) {
-            outputs.push_back({option, **path});
-        }
-    }
-    std::vector<NamedFile> others;
-    if (is_scene_file(origin.scene)) {
-        others.push_back({"the scene", origin.scene});
-    }
-    for (const std::string& outline : file.outlines) {
-        others.push_back({"a file of the scene", outline});
-    }
-    if (const std::filesystem::path folder(arguments.run.frames.folder); !folder.empty()) {
-        others.push_back({"--frames", (folder / "").parent_path().string()});
-    }
-    std::error_code error; // of a checkpoint that does not exist
-    if (arguments.resume &&
-        !(arguments.checkpoint &&
-          std::filesystem::equivalent(*arguments.resume, *arguments.checkpoint, error))) {
-        others.push_back({"--resume", *arguments.resume});
-    }
-    check_outputs(outputs, others);
-}
-
 int run(const std::string& program, const std::vector<Scene>& scenes, const Arguments& arguments) {
     check_usage(arguments);
-    if (const space::Scene* scene =
-            arguments.scene ? space::find_scene(*arguments.scene) : nullptr) {
-        return run_in_space(*scene, arguments);
-    }
     const std::optional<Checkpoint> checkpoint =
         arguments.resume ? std::optional(read_checkpoint(*arguments.resume)) : std::nullopt;
     RunOrigin origin = checkpoint ? checkpoint->origin : origin_of(arguments, scenes);
@@ -209,8 +188,11 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     origin.commit = commit();
     origin.submeshing.threads = arguments.threads.value_or(origin.submeshing.threads);
+    if (const auto file = scene_in_space(origin, scenes)) {
+        return run_in_space(program, *file, arguments, origin, checkpoint);
+    }
     const SceneFile file = scene_of(origin, scenes);
-    check_files(arguments, origin, file);
+    check_files(arguments, origin, file.outlines);
     const Scene& scene = file.scene;
     const Parameters parameters = with_settings(scene, origin.settings);
     RunOptions options = arguments.run;
@@ -222,12 +204,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     options.edits = arguments.edits.value_or("");
     options.frames.layers = arguments.pictures ? parse_layers(*arguments.pictures) : Layers{};
     options.frames.every = arguments.every.value_or(0);
-    options.checkpoint = {.path = arguments.checkpoint.value_or(""),
-                          .every = arguments.every.value_or(0),
-                          .origin = origin};
-    if (is_scene_file(origin.scene)) { // what it names is found from anywhere
-        options.checkpoint.origin.scene = std::filesystem::absolute(origin.scene).string();
-    }
+    options.checkpoint = checkpoint_plan(arguments, origin);
     options.resume = checkpoint ? &*checkpoint : nullptr;
     heed_signals();
 
@@ -250,11 +227,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
                   << " times a vertex was held, for its velocity was not finite\n";
     }
     if (result.interrupted) {
-        std::cerr << program << ": interrupted after step " << result.steps;
-        if (arguments.checkpoint) {
-            std::cerr << "; to go on: " << program << " run --resume " << *arguments.checkpoint;
-        }
-        std::cerr << '\n';
+        tell_interruption(program, arguments, result.steps);
     }
     return result.holds() && !result.interrupted ? 0 : 1;
 }

@@ -1,37 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/command_line/space_program.h"
 
-#include "scenes/command_line/command_line.h"
 #include "scenes/file/text_file.h"
 #include "scenes/space/run.h"
 
-#include <filesystem>
+#include <unistd.h>
+
+#include <iostream>
 
 namespace dsc::scenes {
 
-int run_in_space(const space::Scene& scene, const Arguments& arguments) {
+int run_in_space(const std::string& program, const space::SceneFile& file,
+                 const Arguments& arguments, const RunOrigin& origin,
+                 const std::optional<Checkpoint>& checkpoint) {
+    const space::Scene& scene = file.scene;
     if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
-        arguments.edits || arguments.pictures || arguments.checkpoint || arguments.run.stop_after) {
+        arguments.edits || arguments.pictures) {
         throw InputError({.what = "not for scenes in three dimensions",
                           .where = "run " + scene.name,
                           .value = "another option",
-                          .allowed = "--set, --json, --frames, --every and --at"});
+                          .allowed = "--set, --json, --frames, --every, --at, --checkpoint, "
+                                     "--resume and --stop-after"});
     }
-    FramePlan frames = arguments.run.frames;
-    frames.every = arguments.every.value_or(0);
-    if (arguments.json) {
-        std::vector<NamedFile> others;
-        if (const std::filesystem::path folder(frames.folder); !folder.empty()) {
-            others.push_back({"--frames", (folder / "").parent_path().string()});
-        }
-        check_outputs({{"--json", *arguments.json}}, others);
-    }
-    const Parameters parameters = with_settings(scene, arguments.settings);
+    check_files(arguments, origin, file.files);
+    const Parameters parameters = with_settings(scene, origin.settings);
+    space::RunOptions options;
+    options.frames = arguments.run.frames;
+    options.frames.every = arguments.every.value_or(0);
+    options.checkpoint = checkpoint_plan(arguments, origin);
+    options.resume = checkpoint ? &*checkpoint : nullptr;
+    options.stop_after = arguments.run.stop_after;
+    options.interrupted = &interrupted;
+    options.progress = isatty(STDERR_FILENO) != 0;
     heed_signals();
-    const space::RunResult result = space::run_scene(scene, parameters, frames, interrupted);
+    const space::RunResult result = space::run_scene(scene, parameters, options);
     space::print_summary(result);
     if (arguments.json) {
         write_file(*arguments.json, space::to_json(result));
+    }
+    if (result.interrupted) {
+        tell_interruption(program, arguments, result.steps);
     }
     return result.holds() && !result.interrupted ? 0 : 1;
 }

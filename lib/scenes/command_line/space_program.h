@@ -3,12 +3,14 @@
 #pragma once
 
 #include "scenes/command_line/arguments.h"
-#include "scenes/space/scene.h"
+#include "scenes/space/scene_file.h"
 
 namespace dsc::scenes {
 
 /// Runs the scene, prints and writes what was asked for, and returns the exit code. Throws
 /// InputError for options that are not for three dimensions.
-int run_in_space(const space::Scene& scene, const Arguments& arguments);
+int run_in_space(const std::string& program, const space::SceneFile& file,
+                 const Arguments& arguments, const RunOrigin& origin,
+                 const std::optional<Checkpoint>& checkpoint);
 
 } // namespace dsc::scenes

@@ -51,7 +51,11 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
 } // namespace
 
 std::vector<FigureLimit> read_limits(const TableReader& reader) {
-    const std::vector<std::string> names = names_of_figures();
+    return read_limits(reader, names_of_figures());
+}
+
+std::vector<FigureLimit> read_limits(const TableReader& reader,
+                                     const std::vector<std::string>& names) {
     reader.allow(names);
     std::vector<FigureLimit> limits;
     for (const std::string& figure : reader.keys()) {

@@ -24,6 +24,10 @@ struct FigureLimit {
 /// not a finite number.
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 
+/// The same for these names.
+[[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader,
+                                                   const std::vector<std::string>& names);
+
 /// Why a run of this setup has no number for the figure; empty if it has one. `is_quick`: without a
 /// look at whether the exact shape is known half-way, which may take a while.
 [[nodiscard]] std::string why_missing(const std::string& figure, const Setup& setup,

@@ -19,7 +19,6 @@ namespace {
 constexpr double most_edges_of_side = 1e5;
 /// A gigabyte of them: a file from somebody else should not fill the memory by a wrong unit.
 constexpr double most_triangles_of_file = 2e7;
-constexpr std::size_t longest_file_name = 64;
 
 /// The tables of the file, read and checked, and what they make of parameters.
 struct SceneParts {
@@ -173,27 +172,6 @@ void read_remeshing(const TableReader& top, SceneParts& parts) {
     if (top.has("sizes")) {
         parts.sizes = read_sizes(top.table("sizes"));
     }
-}
-
-bool is_file_name(const std::string& name) {
-    return !name.empty() && name.size() <= longest_file_name &&
-           std::ranges::all_of(name, [](char c) {
-               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '-' || c == '_';
-           });
-}
-
-// It becomes part of the names of frames, so it must not lead out of their folder.
-std::string read_name(const TableReader& top) {
-    if (!top.has("name")) {
-        const std::string stem = top.file().stem().string();
-        return is_file_name(stem) ? stem : "scene";
-    }
-    std::string name = top.text("name");
-    if (!is_file_name(name)) {
-        top.refuse("name", "bad value", "1 to 64 letters, digits, - and _");
-    }
-    return name;
 }
 
 std::optional<Scene> read_base(const TableReader& top, const std::vector<Scene>& scenes) {

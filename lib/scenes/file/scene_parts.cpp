@@ -17,6 +17,7 @@ namespace {
 
 constexpr int most_grains = 20'000;
 constexpr double finest_grains = 1e-3;
+constexpr std::size_t longest_file_name = 64;
 constexpr Bounds multiplier{1e-9, 1e9};
 /// Two times closer than this, relative to the period, are one but for rounding.
 constexpr double same_time = 1e-9;
@@ -75,7 +76,27 @@ std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, con
     return first;
 }
 
+bool is_file_name(const std::string& name) {
+    return !name.empty() && name.size() <= longest_file_name &&
+           std::ranges::all_of(name, [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '-' || c == '_';
+           });
+}
+
 } // namespace
+
+std::string read_name(const TableReader& top) {
+    if (!top.has("name")) {
+        const std::string stem = top.file().stem().string();
+        return is_file_name(stem) ? stem : "scene";
+    }
+    std::string name = top.text("name");
+    if (!is_file_name(name)) {
+        top.refuse("name", "bad value", "1 to 64 letters, digits, - and _");
+    }
+    return name;
+}
 
 Rectangle read_domain(const TableReader& reader) {
     reader.allow({"low", "high", "clamped"});

@@ -32,6 +32,10 @@ struct ExactSource {
     std::string where; ///< for errors
 };
 
+/// The name of a scene; unless given, that of its file. It becomes part of the names of frames, so
+/// it must not lead out of their folder.
+[[nodiscard]] std::string read_name(const TableReader& top);
+
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
 /// The [shape] that has `labels`; with the file that it names.

@@ -26,7 +26,8 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     /// "swirl: step 120 of 520, 14 s left, 3612 triangles", at most ten times a second.
-    void show(const std::string& scene, int step, std::uint64_t triangles) {
+    void show(const std::string& scene, int step, std::uint64_t cells,
+              const char* kind = "triangles") {
         const double now = watch_.wall();
         if (!is_watched_ || now < next_) {
             return;
@@ -35,8 +36,8 @@ public:
         is_shown_ = true;
         const double left = now / (step - begin_) * (steps_ - step);
         std::cerr << clear_line << scene << ": step " << step << " of " << steps_ << ", "
-                  << static_cast<std::int64_t>(left + 0.5) << " s left, " << triangles
-                  << " triangles" << std::flush;
+                  << static_cast<std::int64_t>(left + 0.5) << " s left, " << cells << ' ' << kind
+                  << std::flush;
     }
 
 private:

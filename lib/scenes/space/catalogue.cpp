@@ -21,7 +21,7 @@ double ball_volume(double radius) { return 4.0 / 3 * pi * std::pow(radius, 3); }
 Setup ball_setup(const Parameters& p, double duration, const Point& first, double first_radius,
                  const Point& last, double last_radius) {
     Setup setup;
-    setup.shape = dsc3::ball(first, first_radius);
+    setup.shapes = {{dsc3::ball(first, first_radius), 1}};
     setup.steps = p.steps > 0 ? p.steps : static_cast<int>(std::ceil(duration / p.h - 1e-9));
     setup.dt = duration / setup.steps;
     setup.last = dsc3::ball(last, last_radius);
@@ -83,8 +83,8 @@ struct SlottedBall {
 Setup slotted(const Parameters& p) {
     const SlottedBall shape;
     Setup setup = rotation(p);
-    setup.shape = [shape](const Point& place) { return shape.distance(place); };
-    setup.last = setup.shape;
+    setup.last = [shape](const Point& place) { return shape.distance(place); };
+    setup.shapes = {{setup.last, 1}};
     setup.volume_last = shape.volume();
     return setup;
 }

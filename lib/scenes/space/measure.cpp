@@ -76,7 +76,7 @@ double volume_between(const dsc3::Complex& complex, const Setup& setup, double t
     }
     double sum = 0;
     const auto add = [&](const Point& a, const Point& b, const Point& c) {
-        const auto off = [&](const Point& p) { return std::abs(setup.shape(p)); };
+        const auto off = [&](const Point& p) { return std::abs(setup.shapes.front().distance(p)); };
         sum += area(a, b, c) * (off(a) + off(b) + off(c)) / 3;
     };
     for (const Point* face = points.data(); face != points.data() + points.size();

@@ -4,7 +4,9 @@
 #include "dsc3/dsc3.h"
 #include "scenes/keys.h"
 #include "scenes/output/machine.h"
+#include "scenes/output/progress.h"
 #include "scenes/run/clock.h"
+#include "scenes/run/standard_archive.h"
 #include "scenes/space/measure.h"
 
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <limits>
 
 namespace dsc::scenes::space {
 
@@ -29,31 +32,7 @@ void add(dsc3::StepReport& sum, const dsc3::StepReport& step) {
     sum.operations += step.operations;
 }
 
-void measure_end(const dsc3::Complex& complex, const Setup& setup, RunResult& result) {
-    result.tets_last = complex.tet_count();
-    result.volume_last = dsc3::phase_volume(complex, 1);
-    result.volume_exact_last = setup.volume_last;
-    result.sd_rel_last = volume_between(complex, setup.last) / setup.volume_last;
-    const VertexErrors errors = vertex_errors(complex, setup.last);
-    result.interface_vertices_last = errors.vertices;
-    result.vertex_error_rms = errors.rms;
-    result.vertex_error_max = errors.largest;
-    result.problem = dsc3::validate(complex).problem;
-    result.mesh_hash = dsc3::mesh_hash(complex);
-}
-
-} // namespace
-
-RunResult run_scene(const Scene& scene, const Parameters& parameters, const FramePlan& plan,
-                    const std::atomic<bool>& interrupted) {
-    const Setup setup = scene.prepare(parameters);
-    scenes::Setup times;
-    times.steps = setup.steps;
-    times.dt = setup.dt;
-    times.half_step = setup.half_step;
-    Frames frames(plan, scene.name, times);
-    dsc3::Complex complex =
-        dsc3::initial_complex(setup.domain, {{setup.shape, 1}}, {.edge_length = parameters.h});
+dsc3::Options options_of(const Parameters& parameters) {
     dsc3::Options options;
     options.edge_length = parameters.h;
     const auto integrator = value_in(integrator_names, to_string(parameters.integrator));
@@ -64,57 +43,204 @@ RunResult run_scene(const Scene& scene, const Parameters& parameters, const Fram
                           .allowed = names_in(integrator_names)});
     }
     options.integrator = *integrator;
-    dsc3::Simulation simulation(complex, options);
-    RunResult result;
-    result.scene = scene.name;
-    result.parameters = parameters;
-    result.keys = scene.keys;
-    result.tets_first = complex.tet_count();
-    result.volume_first = dsc3::phase_volume(complex, 1);
-    const auto write_frame = [&] {
-        if (frames.is_due(result.steps)) {
-            const std::string path = frames.enter(result.steps, result.steps * setup.dt);
-            dsc3::write_vtu(complex, path + ".vtu");
-            dsc3::write_ply(complex, path + ".ply");
+    return options;
+}
+
+scenes::Setup times_of(const Setup& setup) {
+    scenes::Setup times;
+    times.steps = setup.steps;
+    times.dt = setup.dt;
+    times.half_step = setup.half_step;
+    return times;
+}
+
+void archive_report(Archive& archive, dsc3::StepReport& sum) {
+    dsc3::OperationCounts& done = sum.operations;
+    archive(sum.sub_steps, sum.passes, sum.unreached, sum.held, sum.unjammed, sum.moves,
+            done.splits, done.collapses, done.edge_removals, done.face_flips, done.smoothings,
+            done.interface_splits, done.interface_collapses, done.interface_flips, done.reassigned);
+}
+
+void archive_quality(Archive& archive, dsc3::MeshQuality& quality) {
+    archive(quality.worst, quality.min_dihedral, quality.max_dihedral, quality.min_face_angle);
+}
+
+class Run {
+public:
+    Run(const Scene& scene, const Parameters& parameters, const RunOptions& options)
+        : setup_(scene.prepare(parameters)), times_(times_of(setup_)),
+          frames_(options.frames, scene.name, times_), options_(options),
+          complex_(
+              dsc3::initial_complex(setup_.domain, setup_.shapes, {.edge_length = parameters.h})),
+          simulation_(complex_, options_of(parameters)), hash_first_(dsc3::mesh_hash(complex_)) {
+        result_.scene = scene.name;
+        result_.parameters = parameters;
+        result_.keys = scene.keys;
+    }
+
+    RunResult run() {
+        if (options_.resume != nullptr) {
+            Archive state(options_.resume->state, options_.resume->path);
+            archive(state);
+            state.expect_end();
+        } else {
+            result_.tets_first = complex_.tet_count();
+            result_.volume_first = volume();
+            write_frame();
         }
-    };
-    write_frame();
-    std::vector<double> step_times;
-    while (result.steps < setup.steps && !interrupted.load() &&
-           result.sum.gave_up == dsc3::GiveUp::none) {
+        Progress progress(options_.progress, result_.steps, setup_.steps);
+        while (result_.steps < setup_.steps && result_.sum.gave_up == dsc3::GiveUp::none) {
+            if (is_interrupted()) {
+                result_.interrupted = true;
+                break;
+            }
+            step();
+            write_frame();
+            const int every = options_.checkpoint.every;
+            if (every > 0 && result_.steps % every == 0 && result_.steps < setup_.steps) {
+                save();
+            }
+            progress.show(result_.scene, result_.steps, complex_.tet_count(), "tets");
+        }
+        save();
+        frames_.finish({});
+        measure_end();
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] double volume() const {
+        return dsc3::phase_volume(complex_, setup_.shapes.front().phase);
+    }
+    [[nodiscard]] bool is_interrupted() const {
+        return (options_.interrupted != nullptr && options_.interrupted->load()) ||
+               (options_.stop_after > 0 && result_.steps >= options_.stop_after);
+    }
+
+    void step() {
         const Stopwatch watch;
         const dsc3::StepReport step =
-            simulation.step(setup.velocity, result.steps * setup.dt, setup.dt);
-        step_times.push_back(watch.wall());
-        result.wall_s += step_times.back();
-        result.cpu_s += watch.cpu();
-        ++result.steps;
-        add(result.sum, step);
-        result.tet_steps += complex.tet_count();
-        result.interface_vertices_most =
-            std::max(result.interface_vertices_most, step.interface_vertices);
-        const dsc3::MeshQuality now = dsc3::mesh_quality(complex);
-        dsc3::MeshQuality& ever = result.quality_ever;
+            simulation_.step(setup_.velocity, result_.steps * setup_.dt, setup_.dt);
+        const double wall = watch.wall();
+        result_.step_us.push_back(1e6 * wall);
+        result_.wall_s += wall;
+        result_.cpu_s += watch.cpu();
+        ++result_.steps;
+        add(result_.sum, step);
+        result_.tet_steps += complex_.tet_count();
+        result_.interface_vertices_most =
+            std::max(result_.interface_vertices_most, step.interface_vertices);
+        const dsc3::MeshQuality now = dsc3::mesh_quality(complex_);
+        dsc3::MeshQuality& ever = result_.quality_ever;
         ever = {std::min(ever.worst, now.worst), std::min(ever.min_dihedral, now.min_dihedral),
                 std::max(ever.max_dihedral, now.max_dihedral),
                 std::min(ever.min_face_angle, now.min_face_angle)};
-        result.quality_last = now;
-        result.inverted += now.worst > 0 ? 0U : 1U;
-        write_frame();
-        if (setup.half_step == result.steps) {
-            result.sd_rel_half =
-                volume_between(complex, setup, result.steps * setup.dt) / setup.volume_last;
+        result_.quality_last = now;
+        result_.inverted += now.worst > 0 ? 0U : 1U;
+        if (setup_.half_step == result_.steps && setup_.last) {
+            result_.sd_rel_half =
+                volume_between(complex_, setup_, result_.steps * setup_.dt) / setup_.volume_last;
         }
     }
-    frames.finish({});
-    result.interrupted = result.steps < setup.steps && interrupted.load();
-    if (!step_times.empty()) {
-        result.first_step_us = 1e6 * step_times.front();
-        std::sort(step_times.begin(), step_times.end());
-        result.step_us_median = 1e6 * step_times[step_times.size() / 2];
+
+    void write_frame() {
+        if (frames_.is_due(result_.steps)) {
+            const std::string path = frames_.enter(result_.steps, result_.steps * setup_.dt);
+            dsc3::write_vtu(complex_, path + ".vtu");
+            dsc3::write_ply(complex_, path + ".ply");
+        }
     }
-    measure_end(complex, setup, result);
-    return result;
+
+    // All that the next step and the figures depend on.
+    void archive(Archive& archive) {
+        std::string identity = result_.scene + ", " + std::to_string(setup_.steps) + " steps of " +
+                               to_text(setup_.dt) + ", h = " + to_text(result_.parameters.h);
+        const std::string mine = identity;
+        std::uint64_t hash_first = hash_first_;
+        archive(identity, hash_first);
+        if (identity != mine) {
+            archive.refuse("was written by another run: " + identity + "; this one is " + mine);
+        }
+        archive.expect(hash_first == hash_first_,
+                       "began with another mesh: a file of the scene or the program has changed");
+        RunResult& r = result_;
+        archive(r.steps, r.tets_first, r.interface_vertices_most, r.volume_first, r.sd_rel_half,
+                r.inverted, r.tet_steps, r.step_us, r.cpu_s, r.wall_s);
+        archive.expect(r.steps >= 0 && r.steps <= setup_.steps,
+                       "has gone on for longer than this run");
+        archive_report(archive, r.sum);
+        archive_quality(archive, r.quality_last);
+        archive_quality(archive, r.quality_ever);
+        frames_.archive(archive);
+        simulation_.archive(archive);
+    }
+
+    void save() {
+        if (!options_.checkpoint.path.empty()) {
+            Archive state;
+            archive(state);
+            write_checkpoint(options_.checkpoint, state.bytes());
+        }
+    }
+
+    void measure_end() {
+        RunResult& r = result_;
+        r.tets_last = complex_.tet_count();
+        r.volume_last = volume();
+        r.volume_exact_last = setup_.volume_last;
+        r.interface_vertices_last = static_cast<std::uint32_t>(simulation_.interface().size());
+        if (setup_.last && r.steps == setup_.steps) {
+            r.sd_rel_last = volume_between(complex_, setup_.last) / setup_.volume_last;
+            const VertexErrors errors = vertex_errors(complex_, setup_.last);
+            r.vertex_error_rms = errors.rms;
+            r.vertex_error_max = errors.largest;
+        }
+        r.problem = dsc3::validate(complex_).problem;
+        r.mesh_hash = dsc3::mesh_hash(complex_);
+        if (!r.step_us.empty()) {
+            r.first_step_us = r.step_us.front();
+            std::vector<double> sorted = r.step_us;
+            std::sort(sorted.begin(), sorted.end());
+            r.step_us_median = sorted[sorted.size() / 2];
+        }
+    }
+
+    Setup setup_;
+    scenes::Setup times_;
+    Frames frames_;
+    const RunOptions& options_;
+    dsc3::Complex complex_;
+    dsc3::Simulation simulation_;
+    std::uint64_t hash_first_;
+    RunResult result_;
+};
+
+nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+} // namespace
+
+RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
+    return Run(scene, parameters, options).run();
+}
+
+std::map<std::string, double> figures(const RunResult& r) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const double h = r.parameters.h;
+    return {{"tets_last", r.tets_last},
+            {"volume_ratio", r.volume_last / r.volume_first},
+            {"sd_rel_last", r.sd_rel_last.value_or(none)},
+            {"sd_rel_half", r.sd_rel_half.value_or(none)},
+            {"vertex_error_rms_h", r.vertex_error_rms.value_or(none) / h},
+            {"vertex_error_max_h", r.vertex_error_max.value_or(none) / h},
+            {"min_quality_last", r.quality_last.worst},
+            {"min_quality_ever", r.quality_ever.worst},
+            {"min_dihedral_deg_last", r.quality_last.min_dihedral},
+            {"min_dihedral_deg_ever", r.quality_ever.min_dihedral},
+            {"inverted", static_cast<double>(r.inverted)},
+            {"unreached", static_cast<double>(r.sum.unreached)},
+            {"held", static_cast<double>(r.sum.held)}};
 }
 
 std::string to_json(const RunResult& r) {
@@ -141,11 +267,10 @@ std::string to_json(const RunResult& r) {
         {"volume_last", r.volume_last},
         {"volume_exact_last", r.volume_exact_last},
         {"volume_ratio", r.volume_last / r.volume_first},
-        {"sd_rel_last", r.sd_rel_last},
-        {"sd_rel_half",
-         r.sd_rel_half ? nlohmann::ordered_json(*r.sd_rel_half) : nlohmann::ordered_json(nullptr)},
-        {"vertex_error_rms", r.vertex_error_rms},
-        {"vertex_error_max", r.vertex_error_max},
+        {"sd_rel_last", number_or_null(r.sd_rel_last)},
+        {"sd_rel_half", number_or_null(r.sd_rel_half)},
+        {"vertex_error_rms", number_or_null(r.vertex_error_rms)},
+        {"vertex_error_max", number_or_null(r.vertex_error_max)},
         {"min_quality_last", r.quality_last.worst},
         {"min_quality_ever", r.quality_ever.worst},
         {"min_dihedral_deg_last", r.quality_last.min_dihedral},
@@ -193,13 +318,16 @@ void print_summary(const RunResult& r) {
     const double h = r.parameters.h;
     std::cout << r.scene << ": " << r.steps << " steps, " << r.tets_last << " tets, "
               << r.interface_vertices_last << " interface vertices\n  volume ratio "
-              << r.volume_last / r.volume_first << ", symmetric difference " << r.sd_rel_last
-              << " of the volume, vertices off by " << r.vertex_error_rms / h << " h (rms), "
-              << r.vertex_error_max / h << " h (most)\n  smallest dihedral angle "
-              << r.quality_last.min_dihedral << " degrees (ever " << r.quality_ever.min_dihedral
-              << ")\n  inverted " << r.inverted << ", unreached " << r.sum.unreached << " of "
-              << r.sum.moves << "\n  " << r.step_us_median << " us a step (median), " << r.cpu_s
-              << " s CPU, " << peak_memory_mb() << " MB\n";
+              << r.volume_last / r.volume_first;
+    if (r.sd_rel_last) {
+        std::cout << ", symmetric difference " << *r.sd_rel_last
+                  << " of the volume, vertices off by " << *r.vertex_error_rms / h << " h (rms), "
+                  << *r.vertex_error_max / h << " h (most)";
+    }
+    std::cout << "\n  smallest dihedral angle " << r.quality_last.min_dihedral << " degrees (ever "
+              << r.quality_ever.min_dihedral << ")\n  inverted " << r.inverted << ", unreached "
+              << r.sum.unreached << " of " << r.sum.moves << "\n  " << r.step_us_median
+              << " us a step (median), " << r.cpu_s << " s CPU, " << peak_memory_mb() << " MB\n";
     if (!r.problem.empty()) {
         std::cout << "  the mesh is not valid: " << r.problem << '\n';
     }

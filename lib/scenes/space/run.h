@@ -4,12 +4,15 @@
 
 #include "dsc3/queries/phases.h"
 #include "scenes/output/frames.h"
+#include "scenes/run/checkpoint.h"
 #include "scenes/space/scene.h"
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc::scenes::space {
 
@@ -27,16 +30,18 @@ struct RunResult {
     double volume_first = 0;
     double volume_last = 0;
     double volume_exact_last = 0;
-    double sd_rel_last = 0; ///< volume between the interface and the exact one, relative
-    std::optional<double> sd_rel_half{}; ///< the same where a flow turns back
-    double vertex_error_rms = 0; ///< distance of the interface's vertices from the exact shape
-    double vertex_error_max = 0;
+    std::optional<double>
+        sd_rel_last{}; ///< volume between the interface and the exact one, relative
+    std::optional<double> sd_rel_half{};      ///< the same where a flow turns back
+    std::optional<double> vertex_error_rms{}; ///< of the interface's vertices from the exact shape
+    std::optional<double> vertex_error_max{};
     dsc3::MeshQuality quality_last;
     dsc3::MeshQuality quality_ever;
-    std::uint64_t inverted = 0;  ///< steps after which a tet was inverted
-    std::string problem;         ///< what `validate` found at the end
-    dsc3::StepReport sum;        ///< over all steps
-    std::uint64_t tet_steps = 0; ///< tets, summed over the steps
+    std::uint64_t inverted = 0;    ///< steps after which a tet was inverted
+    std::string problem;           ///< what `validate` found at the end
+    dsc3::StepReport sum;          ///< over all steps
+    std::uint64_t tet_steps = 0;   ///< tets, summed over the steps
+    std::vector<double> step_us{}; ///< of each step
     double cpu_s = 0;
     double wall_s = 0;
     double first_step_us = 0;
@@ -50,10 +55,25 @@ struct RunResult {
     }
 };
 
-/// Runs all steps, or those until the flag is set. A frame is the tets (.vtu) and the interface
-/// (.ply). Throws InputError for an integrator that there is not, and for frames as `Frames` does.
+/// How a run is made and what it writes.
+struct RunOptions {
+    FramePlan frames{}; ///< of the tets (.vtu) and the interface (.ply)
+    CheckpointPlan checkpoint{};
+    const Checkpoint* resume = nullptr; ///< goes on from there, to the same bits
+    int stop_after = 0;                 ///< steps; 0: no such limit
+    const std::atomic<bool>* interrupted = nullptr;
+    bool progress = false; ///< somebody is watching
+};
+
+/// Runs all steps, or those until it is interrupted. Throws InputError for an integrator that there
+/// is not, for shapes that `initial_complex` refuses, and for frames as `Frames` does; FileError
+/// for a checkpoint of another run.
 [[nodiscard]] RunResult run_scene(const Scene& scene, const Parameters& parameters,
-                                  const FramePlan& plan, const std::atomic<bool>& interrupted);
+                                  const RunOptions& options);
+
+/// The figures that limits may name, and their values; NaN for what was not measured. Lengths that
+/// end in _h are in edge lengths.
+[[nodiscard]] std::map<std::string, double> figures(const RunResult& result);
 
 /// One JSON object.
 [[nodiscard]] std::string to_json(const RunResult& result);

@@ -16,12 +16,12 @@ namespace dsc::scenes::space {
 /// A scene with its parameters filled in.
 struct Setup {
     dsc3::Box domain{};
-    dsc3::Distance shape{};
+    std::vector<dsc3::Shape> shapes{}; ///< the phase of the first is measured
     dsc3::Velocity velocity{};
     double dt = 0;
     int steps = 0;
     std::optional<int> half_step{}; ///< where a flow that keeps volumes turns back
-    dsc3::Distance last{};          ///< the exact shape at the end
+    dsc3::Distance last{};          ///< the exact shape at the end; empty: not known
     double volume_last = 0;         ///< of the exact shape at the end
 };
 

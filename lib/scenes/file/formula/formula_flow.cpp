@@ -7,21 +7,15 @@
 
 namespace dsc::scenes {
 
-FormulaFlow::FormulaFlow(const FormulaTexts& texts) {
-    const auto program = std::make_shared<Program>();
-    program->u = parse_formula(texts.u, texts.parameters, texts.where_u, program->graph);
-    program->v = parse_formula(texts.v, texts.parameters, texts.where_v, program->graph);
-    program_ = program;
-}
+namespace {
 
-bool FormulaFlow::uses_time() const {
-    return program_->graph.at(program_->u).sees_time || program_->graph.at(program_->v).sees_time;
-}
-
-void FormulaFlow::operator()(std::span<const Point<double>> positions, double time,
-                             std::span<Point<double>> velocities) const {
+// Vectors of two or three components at each place.
+template <class Vector, std::size_t n>
+void evaluate(const FormulaGraph& graph, const std::array<FormulaNodeId, n>& components,
+              std::span<const Vector> positions, double time, std::span<Vector> velocities) {
+    constexpr std::array variables{FormulaGraph::x, FormulaGraph::y, FormulaGraph::z};
     assert(positions.size() == velocities.size());
-    const auto nodes = program_->graph.nodes();
+    const auto nodes = graph.nodes();
     alignas(64) std::array<double, most_formula_nodes * formula_row_length> rows;
     const auto row = [&](FormulaNodeId id) {
         return id < 0 ? nullptr : rows.data() + static_cast<std::size_t>(id) * formula_row_length;
@@ -49,14 +43,49 @@ void FormulaFlow::operator()(std::span<const Point<double>> positions, double ti
     for (std::size_t begin = 0; begin < positions.size(); begin += formula_row_length) {
         const std::size_t count = std::min(formula_row_length, positions.size() - begin);
         for (std::size_t i = 0; i < count; ++i) {
-            row(FormulaGraph::x)[i] = positions[begin + i].x();
-            row(FormulaGraph::y)[i] = positions[begin + i].y();
+            for (std::size_t k = 0; k < n; ++k) {
+                row(variables[k])[i] = positions[begin + i][static_cast<Eigen::Index>(k)];
+            }
         }
         compute(true, count);
         for (std::size_t i = 0; i < count; ++i) {
-            velocities[begin + i] = {row(program_->u)[i], row(program_->v)[i]};
+            for (std::size_t k = 0; k < n; ++k) {
+                velocities[begin + i][static_cast<Eigen::Index>(k)] = row(components[k])[i];
+            }
         }
     }
+}
+
+} // namespace
+
+FormulaFlow::FormulaFlow(const FormulaTexts& texts) {
+    const auto program = std::make_shared<Program>();
+    program->u = parse_formula(texts.u, texts.parameters, texts.where_u, program->graph);
+    program->v = parse_formula(texts.v, texts.parameters, texts.where_v, program->graph);
+    program_ = program;
+}
+
+bool FormulaFlow::uses_time() const {
+    return program_->graph.at(program_->u).sees_time || program_->graph.at(program_->v).sees_time;
+}
+
+void FormulaFlow::operator()(std::span<const Point<double>> positions, double time,
+                             std::span<Point<double>> velocities) const {
+    evaluate(program_->graph, std::array{program_->u, program_->v}, positions, time, velocities);
+}
+
+SpaceFormulaFlow::SpaceFormulaFlow(const SpaceFormulaTexts& texts) {
+    const auto program = std::make_shared<Program>();
+    for (std::size_t k = 0; k < 3; ++k) {
+        program->components[k] =
+            parse_formula(texts.components[k], texts.parameters, texts.where[k], program->graph);
+    }
+    program_ = program;
+}
+
+void SpaceFormulaFlow::operator()(std::span<const Eigen::Vector3d> positions, double time,
+                                  std::span<Eigen::Vector3d> velocities) const {
+    evaluate(program_->graph, program_->components, positions, time, velocities);
 }
 
 } // namespace dsc::scenes

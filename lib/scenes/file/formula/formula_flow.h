@@ -57,4 +57,28 @@ private:
     std::shared_ptr<const Program> program_;
 };
 
+/// The three components of a velocity in space, by formulas in x, y, z and t.
+struct SpaceFormulaTexts {
+    std::array<std::string, 3> components;
+    FormulaParameters parameters{};
+    std::array<std::string, 3> where{"u", "v", "w"};
+};
+
+/// The same as `FormulaFlow`, in three dimensions.
+class SpaceFormulaFlow {
+public:
+    explicit SpaceFormulaFlow(const SpaceFormulaTexts& texts);
+
+    void operator()(std::span<const Eigen::Vector3d> positions, double time,
+                    std::span<Eigen::Vector3d> velocities) const;
+
+private:
+    struct Program {
+        FormulaGraph graph{3};
+        std::array<FormulaNodeId, 3> components{};
+    };
+
+    std::shared_ptr<const Program> program_;
+};
+
 } // namespace dsc::scenes

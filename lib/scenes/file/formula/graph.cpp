@@ -118,10 +118,15 @@ bool operator==(const FormulaNode& a, const FormulaNode& b) {
            std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
 
-FormulaGraph::FormulaGraph()
+FormulaGraph::FormulaGraph(int dimension)
     : nodes_{{.of = {x}, .sees_place = true},
              {.of = {y}, .sees_place = true},
-             {.of = {t}, .sees_time = true}} {}
+             {.of = {t}, .sees_time = true}},
+      dimension_(dimension) {
+    if (dimension == 3) {
+        nodes_.push_back({.of = {z}, .sees_place = true});
+    }
+}
 
 FormulaNodeId FormulaGraph::add(const FormulaNode& node) {
     const auto found = std::ranges::find(nodes_, node);

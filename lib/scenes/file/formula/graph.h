@@ -51,7 +51,7 @@ struct FormulaNode {
     RowOperation operation = nullptr; ///< null for x, y, t, constants, and cosines
     /// The operands, which come before this node.
     std::array<FormulaNodeId, 3> of{no_formula_node, no_formula_node, no_formula_node};
-    bool sees_place = false; ///< depends on x or y
+    bool sees_place = false; ///< depends on x, y or z
     bool sees_time = false;
     double value = 0; ///< of a constant, which sees neither
 
@@ -63,8 +63,13 @@ public:
     static constexpr FormulaNodeId x = 0;
     static constexpr FormulaNodeId y = 1;
     static constexpr FormulaNodeId t = 2;
+    static constexpr FormulaNodeId z = 3; ///< in three dimensions
 
-    FormulaGraph();
+    /// `dimension`: 2 or 3.
+    explicit FormulaGraph(int dimension = 2);
+
+    /// The names of the variables, one letter each: the first nodes.
+    [[nodiscard]] std::string_view variables() const { return dimension_ == 3 ? "xytz" : "xyt"; }
 
     [[nodiscard]] FormulaNodeId constant(double value);
     /// The node of this operation: a new one, an equal one that is there already, or a constant if
@@ -92,6 +97,7 @@ private:
     FormulaNodeId half_turns(FormulaNodeId angle);
 
     std::vector<FormulaNode> nodes_;
+    int dimension_;
 };
 
 /// Names and their values; pi is always known.

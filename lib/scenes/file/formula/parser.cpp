@@ -26,11 +26,11 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_of_name(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
-// x, y and t are the first nodes of each graph.
-std::optional<FormulaNodeId> variable_called(std::string_view name) {
-    const std::size_t place = std::string_view("xyt").find(name);
-    return name.size() == 1 && place < 3 ? std::optional(static_cast<FormulaNodeId>(place))
-                                         : std::nullopt;
+std::optional<FormulaNodeId> variable_called(std::string_view name, std::string_view variables) {
+    const std::size_t place = variables.find(name);
+    return name.size() == 1 && place != std::string_view::npos
+               ? std::optional(static_cast<FormulaNodeId>(place))
+               : std::nullopt;
 }
 
 const NamedOperation* function_called(std::string_view name) {
@@ -200,7 +200,7 @@ private:
             return call(*function);
         }
         FormulaNodeId value = no_formula_node;
-        if (const auto variable = variable_called(called)) {
+        if (const auto variable = variable_called(called, graph_.variables())) {
             value = *variable;
         } else if (const auto found = known_.find(called); found != known_.end()) {
             value = graph_.constant(found->second);
@@ -229,7 +229,7 @@ private:
     }
 
     [[nodiscard]] std::string all_names() const {
-        std::string names = "x, y, t, pi";
+        std::string names = graph_.variables().size() == 4 ? "x, y, z, t, pi" : "x, y, t, pi";
         for (const auto& parameter : known_) {
             names += ", " + parameter.first;
         }
@@ -256,7 +256,7 @@ FormulaNodeId parse_formula(std::string_view text, const FormulaParameters& know
 
 bool is_parameter_name(std::string_view name) {
     return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, is_of_name) &&
-           !variable_called(name) && function_called(name) == nullptr;
+           !variable_called(name, FormulaGraph().variables()) && function_called(name) == nullptr;
 }
 
 } // namespace dsc::scenes

@@ -12,4 +12,8 @@ namespace dsc3 {
 /// PLY. The file exists as a whole or not at all. Throws FileError. O(mesh).
 void write_ply(const Complex& complex, const std::string& path);
 
+/// The same as binary STL, which has single precision and no common vertices: for printers and
+/// programs that read nothing else.
+void write_stl(const Complex& complex, const std::string& path);
+
 } // namespace dsc3

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "dsc3/io/ply.h"
+#include "dsc3/io/surface.h"
 
 #include "dsc/io/part_file.h"
+#include "dsc3/geometry/tet.h"
 #include "dsc3/queries/phases.h"
 
 namespace dsc3 {
@@ -39,6 +40,28 @@ void write_ply(const Complex& complex, const std::string& path) {
          << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << face_count
          << "\nproperty list uchar int vertex_indices\nend_header\n"
          << points << faces;
+    file.commit();
+}
+
+void write_stl(const Complex& complex, const std::string& path) {
+    const std::vector<InterfaceFace> faces = interface_faces(complex);
+    std::string bytes(80, ' '); // a header that nobody reads
+    append(bytes, static_cast<std::uint32_t>(faces.size()));
+    const auto append_vector = [&](const Point& p) {
+        for (int axis = 0; axis < 3; ++axis) {
+            append(bytes, static_cast<float>(p[axis]));
+        }
+    };
+    for (const InterfaceFace& face : faces) {
+        const auto& [a, b, c] = face.v;
+        append_vector(unit((complex.at(b) - complex.at(a)).cross(complex.at(c) - complex.at(a))));
+        for (const std::uint32_t v : face.v) {
+            append_vector(complex.at(v));
+        }
+        append(bytes, std::uint16_t{0}); // no attributes
+    }
+    dsc::PartFile file(path);
+    file << bytes;
     file.commit();
 }
 

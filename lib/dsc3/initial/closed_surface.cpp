@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+#include "dsc3/geometry/predicates.h"
+#include "dsc3/geometry/tet.h"
+#include "dsc3/initial/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+namespace dsc3 {
+
+namespace {
+
+using Triangle3 = std::array<std::uint32_t, 3>;
+
+constexpr std::uint32_t leaf_size = 4;
+
+[[noreturn]] void refuse(const TriangleSurface& surface, const char* what, const std::string& where,
+                         const std::string& value, const char* allowed) {
+    throw InputError({.what = what,
+                      .where = surface.name + (where.empty() ? "" : ", at " + where),
+                      .value = value,
+                      .allowed = allowed});
+}
+
+Box box_of(const TriangleSurface& surface, const Triangle3& t) {
+    const Point& a = surface.points[t[0]];
+    const Point& b = surface.points[t[1]];
+    const Point& c = surface.points[t[2]];
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+Real squared_distance_to(const Box& box, const Point& p) {
+    return (box.low - p).cwiseMax(p - box.high).cwiseMax(0).squaredNorm();
+}
+
+bool overlap(const Box& a, const Box& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+// A tree of boxes around triangles. Children follow their parent: the first directly.
+class BoxTree {
+public:
+    explicit BoxTree(const TriangleSurface& surface) : surface_(surface) {
+        order_.resize(surface.triangles.size());
+        std::iota(order_.begin(), order_.end(), 0U);
+        build(0, static_cast<std::uint32_t>(order_.size()));
+    }
+
+    // Calls `visit(triangle)` for all whose box may matter: `is_near(box)` says so.
+    template <class IsNear, class Visit>
+    void search(IsNear is_near, Visit visit, std::uint32_t node = 0) const {
+        const Node& here = nodes_[node];
+        if (!is_near(here.box)) {
+            return;
+        }
+        if (here.second == 0) {
+            for (std::uint32_t i = here.begin; i < here.end; ++i) {
+                visit(order_[i]);
+            }
+            return;
+        }
+        search(is_near, visit, node + 1);
+        search(is_near, visit, here.second);
+    }
+
+    // The same for a search for what is nearest to p: the nearer child comes first.
+    template <class IsNear, class Visit>
+    void search_from(const Point& p, IsNear is_near, Visit visit, std::uint32_t node = 0) const {
+        const Node& here = nodes_[node];
+        if (!is_near(here.box)) {
+            return;
+        }
+        if (here.second == 0) {
+            for (std::uint32_t i = here.begin; i < here.end; ++i) {
+                visit(order_[i]);
+            }
+            return;
+        }
+        const bool is_first = squared_distance_to(nodes_[node + 1].box, p) <=
+                              squared_distance_to(nodes_[here.second].box, p);
+        search_from(p, is_near, visit, is_first ? node + 1 : here.second);
+        search_from(p, is_near, visit, is_first ? here.second : node + 1);
+    }
+
+private:
+    struct Node {
+        Box box;
+        std::uint32_t begin = 0;
+        std::uint32_t end = 0;
+        std::uint32_t second = 0; ///< child; 0: a leaf
+    };
+
+    void build(std::uint32_t begin, std::uint32_t end) {
+        const auto node = static_cast<std::uint32_t>(nodes_.size());
+        Box box{Point::Constant(std::numeric_limits<Real>::infinity()),
+                Point::Constant(-std::numeric_limits<Real>::infinity())};
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const Box one = box_of(surface_, surface_.triangles[order_[i]]);
+            box = {box.low.cwiseMin(one.low), box.high.cwiseMax(one.high)};
+        }
+        nodes_.push_back({box, begin, end, 0});
+        if (end - begin <= leaf_size) {
+            return;
+        }
+        Eigen::Index axis = 0;
+        (box.high - box.low).maxCoeff(&axis);
+        const auto place = [&](std::uint32_t t) {
+            const auto& [a, b, c] = surface_.triangles[t];
+            return surface_.points[a][axis] + surface_.points[b][axis] + surface_.points[c][axis];
+        };
+        const std::uint32_t middle = begin + (end - begin) / 2;
+        std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                         [&](std::uint32_t s, std::uint32_t t) {
+                             return place(s) != place(t) ? place(s) < place(t) : s < t;
+                         });
+        build(begin, middle);
+        nodes_[node].second = static_cast<std::uint32_t>(nodes_.size());
+        build(middle, end);
+    }
+
+    const TriangleSurface& surface_;
+    std::vector<std::uint32_t> order_;
+    std::vector<Node> nodes_;
+};
+
+// The edge from corner k of a triangle to the next.
+struct Side {
+    std::uint32_t low;
+    std::uint32_t high;
+    std::uint32_t triangle;
+    std::uint32_t corner;
+
+    friend bool operator<(const Side& a, const Side& b) {
+        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
+    }
+};
+
+// Nearest points to places, with a sign.
+class SignedDistance {
+public:
+    explicit SignedDistance(TriangleSurface surface) : surface_(std::move(surface)) {
+        check_points();
+        link();
+        orient();
+        tree_ = std::make_unique<BoxTree>(surface_);
+        expect_no_crossing();
+        find_normals();
+    }
+    SignedDistance(const SignedDistance&) = delete;
+    SignedDistance& operator=(const SignedDistance&) = delete;
+    SignedDistance(SignedDistance&&) = delete;
+    SignedDistance& operator=(SignedDistance&&) = delete;
+    ~SignedDistance() = default;
+
+    [[nodiscard]] Real operator()(const Point& p) const {
+        Real best = std::numeric_limits<Real>::infinity();
+        Real side = 0;
+        tree_->search_from(
+            p, [&](const Box& box) { return squared_distance_to(box, p) < best; },
+            [&](std::uint32_t t) {
+                const Foot foot = nearest(t, p);
+                const Point way = p - foot.place;
+                if (const Real square = way.squaredNorm(); square < best) {
+                    best = square;
+                    side = way.dot(normal_at(t, foot));
+                }
+            });
+        return side < 0 ? -std::sqrt(best) : std::sqrt(best);
+    }
+
+private:
+    // The nearest point of a triangle lies inside (feature 6), on the edge from corner k (3 + k),
+    // or at corner k.
+    struct Foot {
+        Point place;
+        std::uint32_t feature;
+    };
+
+    void check_points() {
+        for (const Point& p : surface_.points) {
+            if (!p.allFinite()) {
+                refuse(surface_, "a coordinate is not finite", to_text(p), to_text(p),
+                       "finite coordinates");
+            }
+        }
+        for (const Triangle3& t : surface_.triangles) {
+            for (const std::uint32_t v : t) {
+                if (v >= surface_.points.size()) {
+                    refuse(surface_, "no such point", "", std::to_string(v),
+                           "below the number of points");
+                }
+            }
+        }
+        std::erase_if(surface_.triangles, [](const Triangle3& t) {
+            return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+        });
+        if (surface_.triangles.empty()) {
+            refuse(surface_, "a surface without triangles", "", "0 triangles", "4 or more");
+        }
+    }
+
+    // The triangles on the other side of each edge.
+    void link() {
+        std::vector<Side> sides;
+        for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = surface_.triangles[t][k];
+                const std::uint32_t b = surface_.triangles[t][(k + 1) % 3];
+                sides.push_back({std::min(a, b), std::max(a, b), t, k});
+            }
+        }
+        std::sort(sides.begin(), sides.end());
+        beside_.resize(surface_.triangles.size());
+        for (std::size_t i = 0; i < sides.size();) {
+            std::size_t end = i + 1;
+            while (end < sides.size() && sides[end].low == sides[i].low &&
+                   sides[end].high == sides[i].high) {
+                ++end;
+            }
+            if (end - i != 2) {
+                refuse(surface_, "the surface is not closed",
+                       to_text(
+                           midpoint(surface_.points[sides[i].low], surface_.points[sides[i].high])),
+                       "an edge with " + std::to_string(end - i) +
+                           (end - i == 1 ? " triangle" : " triangles"),
+                       "two triangles at each edge");
+            }
+            beside_[sides[i].triangle][sides[i].corner] = sides[i + 1].triangle;
+            beside_[sides[i + 1].triangle][sides[i + 1].corner] = sides[i].triangle;
+            i = end;
+        }
+    }
+
+    // Each part like its first triangle, and all so that they enclose a volume.
+    void orient() {
+        auto& triangles = surface_.triangles;
+        std::vector<std::uint8_t> is_done(triangles.size(), 0);
+        std::vector<std::uint32_t> queue;
+        for (std::uint32_t first = 0; first < triangles.size(); ++first) {
+            if (is_done[first] != 0) {
+                continue;
+            }
+            is_done[first] = 1;
+            queue.assign(1, first);
+            while (!queue.empty()) {
+                const std::uint32_t t = queue.back();
+                queue.pop_back();
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                    const std::uint32_t other = beside_[t][k];
+                    const std::uint32_t a = triangles[t][k];
+                    const std::uint32_t b = triangles[t][(k + 1) % 3];
+                    if (runs_along(other, a, b)) {
+                        if (is_done[other] != 0) {
+                            refuse(surface_, "the surface has no inside",
+                                   to_text(surface_.points[a]), "a one-sided surface",
+                                   "surfaces whose triangles can be oriented");
+                        }
+                        turn_over(other);
+                    }
+                    if (is_done[other] == 0) {
+                        is_done[other] = 1;
+                        queue.push_back(other);
+                    }
+                }
+            }
+        }
+        Real sum = 0;
+        for (const auto& [a, b, c] : triangles) {
+            sum += volume(surface_.points.front(), surface_.points[a], surface_.points[b],
+                          surface_.points[c]);
+        }
+        if (sum == 0) {
+            refuse(surface_, "the surface encloses nothing", to_text(surface_.points.front()),
+                   "a volume of 0", "a volume above 0");
+        }
+        if (sum < 0) {
+            for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+                turn_over(t);
+            }
+        }
+    }
+    [[nodiscard]] bool runs_along(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
+        const Triangle3& v = surface_.triangles[t];
+        return (v[0] == a && v[1] == b) || (v[1] == a && v[2] == b) || (v[2] == a && v[0] == b);
+    }
+    // The edges from corners 0, 1, 2 become those from 1, 0, 2.
+    void turn_over(std::uint32_t t) {
+        std::swap(surface_.triangles[t][0], surface_.triangles[t][2]);
+        std::swap(beside_[t][0], beside_[t][1]);
+    }
+
+    void expect_no_crossing() const {
+        for (std::uint32_t s = 0; s < surface_.triangles.size(); ++s) {
+            const Box box = box_of(surface_, surface_.triangles[s]);
+            tree_->search([&](const Box& other) { return overlap(other, box); },
+                          [&](std::uint32_t t) {
+                              if (t != s) {
+                                  expect_apart(s, t);
+                              }
+                          });
+        }
+    }
+    // No edge of s that has no vertex of t crosses t.
+    void expect_apart(std::uint32_t s, std::uint32_t t) const {
+        const Triangle3& of = surface_.triangles[t];
+        const auto is_common = [&](std::uint32_t v) {
+            return v == of[0] || v == of[1] || v == of[2];
+        };
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t p = surface_.triangles[s][k];
+            const std::uint32_t q = surface_.triangles[s][(k + 1) % 3];
+            if (is_common(p) || is_common(q)) {
+                continue;
+            }
+            const auto side = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                  std::uint32_t d) {
+                return orientation(surface_.points[a], surface_.points[b], surface_.points[c],
+                                   surface_.points[d]);
+            };
+            if (side(p, of[0], of[1], of[2]) * side(q, of[0], of[1], of[2]) >= 0) {
+                continue;
+            }
+            const int x = side(p, q, of[0], of[1]);
+            const int y = side(p, q, of[1], of[2]);
+            const int z = side(p, q, of[2], of[0]);
+            if ((x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0)) {
+                refuse(surface_, "the surface crosses itself",
+                       to_text(midpoint(surface_.points[p], surface_.points[q])),
+                       "triangles " + std::to_string(std::min(s, t)) + " and " +
+                           std::to_string(std::max(s, t)),
+                       "surfaces whose triangles meet at common vertices and edges only");
+            }
+        }
+    }
+
+    void find_normals() {
+        face_normals_.reserve(surface_.triangles.size());
+        vertex_normals_.assign(surface_.points.size(), Point::Zero());
+        for (const auto& t : surface_.triangles) {
+            const Point& a = surface_.points[t[0]];
+            const Point normal = unit((surface_.points[t[1]] - a).cross(surface_.points[t[2]] - a));
+            face_normals_.push_back(normal);
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                vertex_normals_[t[k]] +=
+                    angle_degrees(surface_.points[t[k]], surface_.points[t[(k + 1) % 3]],
+                                  surface_.points[t[(k + 2) % 3]]) *
+                    normal;
+            }
+        }
+    }
+    [[nodiscard]] Point normal_at(std::uint32_t t, const Foot& foot) const {
+        if (foot.feature < 3) {
+            return vertex_normals_[surface_.triangles[t][foot.feature]];
+        }
+        return foot.feature < 6 ? face_normals_[t] + face_normals_[beside_[t][foot.feature - 3]]
+                                : face_normals_[t];
+    }
+
+    // C. Ericson, "Real-time collision detection" (2005), section 5.1.5.
+    [[nodiscard]] Foot nearest(std::uint32_t t, const Point& p) const {
+        const Point& a = surface_.points[surface_.triangles[t][0]];
+        const Point& b = surface_.points[surface_.triangles[t][1]];
+        const Point& c = surface_.points[surface_.triangles[t][2]];
+        const Point ab = b - a;
+        const Point ac = c - a;
+        const Real d1 = ab.dot(p - a);
+        const Real d2 = ac.dot(p - a);
+        if (d1 <= 0 && d2 <= 0) {
+            return {a, 0};
+        }
+        const Real d3 = ab.dot(p - b);
+        const Real d4 = ac.dot(p - b);
+        if (d3 >= 0 && d4 <= d3) {
+            return {b, 1};
+        }
+        const Real vc = d1 * d4 - d3 * d2;
+        if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+            return {a + d1 / (d1 - d3) * ab, 3};
+        }
+        const Real d5 = ab.dot(p - c);
+        const Real d6 = ac.dot(p - c);
+        if (d6 >= 0 && d5 <= d6) {
+            return {c, 2};
+        }
+        const Real vb = d5 * d2 - d1 * d6;
+        if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+            return {a + d2 / (d2 - d6) * ac, 5};
+        }
+        const Real va = d3 * d6 - d5 * d4;
+        if (va <= 0 && d4 >= d3 && d5 >= d6) {
+            return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), 4};
+        }
+        const Real sum = va + vb + vc;
+        return {a + vb / sum * ab + vc / sum * ac, 6};
+    }
+
+    TriangleSurface surface_;
+    std::vector<std::array<std::uint32_t, 3>> beside_; ///< by triangle and corner
+    std::unique_ptr<BoxTree> tree_;
+    std::vector<Point> face_normals_;
+    std::vector<Point> vertex_normals_; ///< of any length
+};
+
+} // namespace
+
+Distance closed_surface(TriangleSurface surface) {
+    const auto shared = std::make_shared<const SignedDistance>(std::move(surface));
+    return [shared](const Point& p) { return (*shared)(p); };
+}
+
+} // namespace dsc3

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+// Attributes in three dimensions follow every edit, and checkpoints go on to the same bits.
+#include "dsc3/dsc3.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace dsc3::test::attributes_test {
+namespace {
+
+constexpr double h = 0.08;
+const Point centre(0.35, 0.35, 0.35);
+
+Complex ball_complex() { return initial_complex({}, {{ball(centre, 0.2), 1}}, {.edge_length = h}); }
+
+void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
+    using std::numbers::pi;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Point p = pi * positions[i];
+        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
+        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
+        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
+                              -d.x() * d.y() * s.z() * s.z());
+    }
+}
+
+std::string bytes_of(Complex& complex) {
+    dsc::Archive archive;
+    dsc3::archive(archive, complex);
+    return archive.bytes();
+}
+
+std::string bytes_of(Simulation& simulation) {
+    dsc::Archive archive;
+    simulation.archive(archive);
+    return archive.bytes();
+}
+
+TEST(Attributes3, FollowEveryEdit) {
+    Complex complex = ball_complex();
+    // On the interface, what the flow takes along; beside it, whether the value fits the phase.
+    auto& height = complex.attributes.add<Vertex>("height", 0.0);
+    auto& phase = complex.attributes.add<Tet>("phase", std::int32_t{-1});
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        height[Vertex{v}] = complex.at(v).z();
+    }
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        phase[Tet{t}] = std::int32_t(complex.phase(Tet{t}));
+    }
+    Simulation simulation(complex, {.edge_length = h});
+    OperationCounts done;
+    const Velocity along = [](std::span<const Point> p, double t, std::span<Point> w) {
+        swirl(p, t, w);
+        for (Point& velocity : w) { // the height stays
+            velocity.z() = 0;
+        }
+    };
+    for (int k = 0; k < 30; ++k) {
+        done += simulation.step(along, 0.04 * k, 0.04).operations;
+        ASSERT_TRUE(validate(complex).ok());
+    }
+    EXPECT_GT(done.interface_splits, 50U);
+    EXPECT_GT(done.edge_removals + done.face_flips, 50U);
+    EXPECT_GT(done.interface_collapses, 10U);
+    ASSERT_EQ(height.size(), complex.vertex_bound());
+    ASSERT_EQ(phase.size(), complex.tet_bound());
+    renumber(complex);
+    ASSERT_EQ(height.size(), complex.vertex_bound());
+    double squares = 0;
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (complex.is_interface(Vertex{v})) {
+            squares += std::pow(height[Vertex{v}] - complex.at(v).z(), 2);
+            ++count;
+        }
+    }
+    EXPECT_LT(std::sqrt(squares / count), 0.1 * h); // new vertices lie on curves, values on chords
+    EXPECT_EQ(phase[Tet{border_tet}], -1);
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        ASSERT_EQ(phase[Tet{t}], std::int32_t(complex.phase(Tet{t}))) << "tet " << t;
+    }
+}
+
+TEST(Attributes3, AreCopiedAndRefusedByName) {
+    Complex complex = ball_complex();
+    complex.attributes.add<Vertex>("heat", 20.0)[Vertex{3}] = 7;
+    const Complex copy = complex;
+    complex.attributes.get<Vertex, double>("heat")[Vertex{3}] = 8;
+    EXPECT_EQ((copy.attributes.get<Vertex, double>("heat")[Vertex{3}]), 7);
+    EXPECT_EQ((copy.attributes.get<Vertex, double>("heat")[Vertex{4}]), 20);
+    EXPECT_THROW((void)(complex.attributes.get<Tet, double>("heat")), InputError);
+    EXPECT_THROW(complex.attributes.add<Tet>("heat", 1), InputError);
+    complex.attributes.get<Vertex, double>("heat").set_field(true);
+    Simulation simulation(complex, {.edge_length = h});
+    EXPECT_THROW(simulation.step(swirl, 0, 0.01), InputError);
+}
+
+TEST(Attributes3, WhatOneThrowsComesOutOfTheStep) {
+    Complex complex = ball_complex();
+    complex.attributes.add<Vertex>(
+        "bad", 0.0, [](double, double, double) -> double { throw std::runtime_error("no blend"); });
+    Simulation simulation(complex, {.edge_length = h});
+    const auto steps = [&] {
+        for (int k = 0; k < 20; ++k) {
+            simulation.step(swirl, 0.04 * k, 0.04);
+        }
+    };
+    EXPECT_THROW(steps(), std::runtime_error);
+    EXPECT_TRUE(validate(complex).ok());
+}
+
+TEST(Checkpoints3, GoOnToTheSameBits) {
+    Complex one = ball_complex();
+    one.attributes.add<Vertex>("number", 1.5);
+    one.attributes.add<Tet>("tag", std::uint32_t{7});
+    Simulation first(one, {.edge_length = h});
+    for (int k = 0; k < 12; ++k) {
+        first.step(swirl, 0.05 * k, 0.05);
+    }
+    dsc::Archive saved;
+    first.archive(saved);
+
+    Complex two = ball_complex();
+    auto& number = two.attributes.add<Vertex>("number", 1.5);
+    two.attributes.add<Tet>("tag", std::uint32_t{7});
+    Simulation second(two, {.edge_length = h});
+    second.step(swirl, 0, 0.3); // what is read takes the place of all that was
+    dsc::Archive again(saved.bytes(), "saved");
+    second.archive(again);
+    again.expect_end();
+    EXPECT_EQ(number.size(), two.vertex_bound());
+    for (int k = 12; k < 30; ++k) {
+        const StepReport a = first.step(swirl, 0.05 * k, 0.05);
+        const StepReport b = second.step(swirl, 0.05 * k, 0.05);
+        ASSERT_EQ(a.moves, b.moves);
+    }
+    EXPECT_EQ(bytes_of(one), bytes_of(two));
+    EXPECT_EQ(bytes_of(first), bytes_of(second));
+}
+
+TEST(Checkpoints3, AreReadWholeOrNotAtAll) {
+    Complex complex = initial_complex({}, {{ball(centre, 0.2), 1}}, {.edge_length = 0.2});
+    Simulation simulation(complex, {.edge_length = 0.2});
+    simulation.step(swirl, 0, 0.1);
+    const std::string good = bytes_of(simulation);
+    const auto refuse = [&](const std::string& bad) {
+        dsc::Archive archive(bad, "bad");
+        const auto read = [&] {
+            simulation.archive(archive);
+            archive.expect_end();
+        };
+        try {
+            read();
+            return false;
+        } catch (const FileError&) {
+            EXPECT_EQ(bytes_of(simulation), good);
+            return true;
+        }
+    };
+    for (std::size_t i = 0; i < 100; ++i) {
+        EXPECT_TRUE(refuse(good.substr(0, good.size() * i / 100))) << "cut at " << i << " %";
+    }
+    // A changed bit is refused, or makes another complex that is valid: one of a coordinate.
+    int refused = 0;
+    for (std::size_t i = 0; i < 100; ++i) {
+        std::string bad = good;
+        bad[good.size() * i / 100] = static_cast<char>(bad[good.size() * i / 100] ^ 0x40);
+        refused += refuse(bad) ? 1 : 0;
+        ASSERT_TRUE(validate(complex).ok());
+        EXPECT_FALSE(refuse(good));
+    }
+    EXPECT_GT(refused, 50);
+    Complex other = complex;
+    other.attributes.add<Vertex>("more", 1.0);
+    dsc::Archive archive(bytes_of(complex), "other");
+    EXPECT_THROW(dsc3::archive(archive, other), FileError);
+}
+
+} // namespace
+} // namespace dsc3::test::attributes_test
