@@ -137,6 +137,15 @@ Check of_fluid(const char* name, const char* description, const char* figure) {
             .figure = [figure](const RunResult& r) { return number(r.fluid, figure); }};
 }
 
+Check of_space(std::string name, std::string description, const std::string& figure,
+               bool at_least = false) {
+    return {.name = std::move(name),
+            .description = std::move(description),
+            .group = in_space,
+            .figure = [figure](const RunResult& r) { return number(r.last, figure); },
+            .at_least = at_least};
+}
+
 Check of_events(const char* name, const char* description, EventKind kind) {
     return {.name = name,
             .description = description,
@@ -261,6 +270,16 @@ std::vector<Check> table() {
         of_fluid("fluid_centre", "height of the centroid at the end", "centre_last"),
         of_fluid("fluid_area", "area at the end against the first, off 1", "area_drift_last"),
         of_fluid("fluid_neck", "half-width of a neck, largest relative error", "neck_error"),
+        of_space("space_difference",
+                 "symmetric difference at the end in three dimensions, over the exact volume",
+                 "sd_rel_last"),
+        of_space("space_difference_half", "the same half-way", "sd_rel_half"),
+        of_space("space_vertices", "distance of vertices from the exact shape, rms over h",
+                 "vertex_error_rms_h"),
+        of_space("space_farthest", "the same of the farthest vertex", "vertex_error_max_h"),
+        of_space("space_angle", "smallest dihedral angle at the end", "min_dihedral_deg_last",
+                 true),
+        of_space("space_angle_ever", "smallest dihedral angle ever", "min_dihedral_deg_ever", true),
         of_events("merges", "pieces that merge", EventKind::merge),
         of_events("splits", "pieces that fall in two", EventKind::split),
         of_events("widenings", "times that a film opened farther than at first", EventKind::widen),
@@ -304,6 +323,12 @@ std::shared_ptr<const Check> check_of_figure(const std::string& figure, const st
     Check check = of_figure(name, figure + ", as the scene file limits it", figure, figure);
     check.at_least = at_least;
     return std::make_shared<const Check>(std::move(check));
+}
+
+std::shared_ptr<const Check> check_in_space(const std::string& figure, const std::string& name,
+                                            bool at_least) {
+    return std::make_shared<const Check>(
+        of_space(name, figure + ", as the scene file limits it", figure, at_least));
 }
 
 } // namespace dsc::gate

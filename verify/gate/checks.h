@@ -34,6 +34,9 @@ enum class Culprit : std::uint8_t {
     first_failure,   ///< the triangle that is inverted, at the first step that has one
 };
 
+/// The group of checks of scenes in three dimensions.
+inline constexpr const char* in_space = "space";
+
 struct Check {
     using Result = scenes::RunResult;
 
@@ -61,6 +64,9 @@ struct Check {
 /// The check of a figure of result files, for [limits] of scene files.
 [[nodiscard]] std::shared_ptr<const Check> check_of_figure(const std::string& figure,
                                                            const std::string& name, bool at_least);
+/// The same in three dimensions.
+[[nodiscard]] std::shared_ptr<const Check> check_in_space(const std::string& figure,
+                                                          const std::string& name, bool at_least);
 
 /// Why the check cannot be made of this case; empty if it can.
 [[nodiscard]] std::string why_not(const Check& check, const Case& of);

@@ -76,6 +76,12 @@ Measured mean_difference(const Check& check, std::span<const Outcome* const> out
 } // namespace
 
 std::string why_not(const Check& check, const Case& of) {
+    if ((check.group == in_space) != (of.space != nullptr) && check.name != "accuracy_lost") {
+        return of.space ? "the scene is one in three dimensions" : "the scene is one of the plane";
+    }
+    if (of.space) {
+        return "";
+    }
     if (check.figures.empty() && check.group != "fluid") {
         return "";
     }

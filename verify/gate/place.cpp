@@ -139,7 +139,7 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
     place.command = command_of(run);
     const bool has_run = row.measured.has_value();
     const Culprit culprit = has_run ? row.check->culprit : Culprit::first_failure;
-    if (culprit == Culprit::none || run.strategy == scenes::Strategy::reference ||
+    if (culprit == Culprit::none || run.of->space || run.strategy == scenes::Strategy::reference ||
         run.parameters.real != scenes::RealType::double_precision) {
         return place;
     }

@@ -162,7 +162,7 @@ std::string to_json(const std::vector<Row>& rows, const std::vector<std::string>
     for (const auto& [key, outcome] : runs.all()) {
         const Configuration& run = outcome.configuration;
         const bool is_other_start = run.of->starts > 1 && run.parameters.h != run.of->parameters.h;
-        if (run.is_shared || is_other_start || outcome.error) {
+        if (run.is_shared || is_other_start || outcome.error || run.of->space) {
             continue; // shared: of the first steps alone, to the same bits by all threads
         }
         const bool is_other_size = run.parameters.h != run.of->file.scene.defaults.h;

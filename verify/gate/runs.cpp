@@ -2,12 +2,28 @@
 #include "runs.h"
 
 #include "scenes/run/clock.h"
+#include "scenes/space/run.h"
 
 namespace dsc::gate {
 
 namespace {
 
 constexpr int shared_steps = 40; ///< enough to show whether threads change the result
+
+// The figures of a run in three dimensions, under their names in result files.
+scenes::RunResult run_in_space(const Configuration& what) {
+    const scenes::space::RunResult run =
+        scenes::space::run_scene(*what.of->space, what.parameters, {});
+    scenes::RunResult result;
+    result.steps = run.steps;
+    result.inverted = run.inverted + (run.problem.empty() ? 0 : 1);
+    result.unreached = run.sum.unreached;
+    result.gave_up = run.sum.gave_up == dsc3::GiveUp::none ? "" : "too many sub-steps";
+    for (const auto& [name, value] : scenes::space::figures(run)) {
+        result.last.push_back({name, value});
+    }
+    return result;
+}
 
 } // namespace
 
@@ -48,8 +64,9 @@ void Runs::work() {
         const Configuration& what = outcome.configuration;
         const scenes::Stopwatch watch;
         try {
-            outcome.result =
-                scenes::run_scene(what.of->file.scene, what.parameters, what.options());
+            outcome.result = what.of->space ? run_in_space(what)
+                                            : scenes::run_scene(what.of->file.scene,
+                                                                what.parameters, what.options());
         } catch (...) {
             outcome.error = std::current_exception();
         }

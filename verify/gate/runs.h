@@ -6,6 +6,7 @@
 
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
+#include "scenes/space/scene.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -31,6 +32,8 @@ struct Case {
     std::string name; ///< of its rows
     scenes::SceneFile file;
     std::string path{}; ///< of the scene file; empty: a scene of the catalogue
+    /// In three dimensions: `file` then has its name, keys and parameters, and prepares nothing.
+    std::shared_ptr<const scenes::space::Scene> space{};
     scenes::Parameters parameters{};
     std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
     std::vector<std::uint32_t> threads{};       ///< of these; empty: as each check has them

@@ -5,6 +5,7 @@
 #include "scenes/file/case_reader.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/run.h"
+#include "scenes/space/scene_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,8 +116,25 @@ void read_strategies(const CaseReader& reader, Case& c) {
     }
 }
 
+// A scene in three dimensions, held to nothing yet.
+Case case_in_space(const scenes::space::SceneFile& file, const std::string& path) {
+    Case c{.name = file.scene.name, .file = {}};
+    c.space = std::make_shared<const scenes::space::Scene>(file.scene);
+    c.path = path;
+    c.file.scene.name = file.scene.name;
+    c.file.scene.defaults = file.scene.defaults;
+    c.file.scene.keys = file.scene.keys;
+    c.file.limits = file.limits;
+    c.parameters = file.scene.defaults;
+    return c;
+}
+
 // What dsc_scene would refuse, before the first of many runs.
 void check_usage(const CaseReader& reader, const Case& c) {
+    if (c.space) {
+        at_key(reader.of("scene"), "scene", [&] { (void)c.space->prepare(c.parameters); });
+        return;
+    }
     const scenes::Scene& scene = c.file.scene;
     at_key(reader.of("scene"), "scene", [&] {
         const scenes::Setup setup = scene.prepare(c.parameters);
@@ -134,7 +152,9 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
     const std::vector<std::string> scenes = texts(reader, "scene");
     const std::vector<CaseSize> sizes = scenes::read_sizes(reader);
     for (const std::string& scene : scenes) {
-        Case c{.name = {}, .file = scenes::read_scene(reader, scene)};
+        const auto* const found = scenes::space::find_scene(scene);
+        Case c = found != nullptr ? case_in_space({.scene = *found}, "")
+                                     : Case{.name = {}, .file = scenes::read_scene(reader, scene)};
         if (scenes::is_scene_file(scene)) {
             c.path = (reader.of("scene").file().parent_path() / scene).string();
         }
@@ -142,7 +162,9 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
             reader.has("name") ? reader.of("name").text("name") : c.file.scene.name;
         c.parameters = c.file.scene.defaults;
         scenes::read_settings(reader, "set", c.file.scene, c.parameters);
-        read_strategies(reader, c);
+        if (!c.space) {
+            read_strategies(reader, c);
+        }
         if (reader.has("starts")) {
             c.starts = reader.of("starts").integer("starts", 1, 1000);
         }
@@ -227,6 +249,17 @@ Cases read_suite(const std::filesystem::path& path) {
 }
 
 Case case_of_scene(const std::string& scene) {
+    if (const auto* const found = scenes::space::find_scene(scene)) {
+        return case_in_space({.scene = *found}, "");
+    }
+    if (scenes::is_scene_file(scene)) {
+        const std::string text = read_text(scene);
+        if (scenes::space::is_in_space(text, scene)) {
+            return readable(scene, [&] {
+                return case_in_space(scenes::space::read_scene_text(text, scene), scene);
+            });
+        }
+    }
     Case c{.name = {}, .file = {}};
     if (scenes::is_scene_file(scene)) {
         c.file = readable(scene, [&] { return scenes::read_scene_file(scene); });
@@ -244,9 +277,9 @@ Case case_of_file(const std::string& path) {
     Case c = case_of_scene(path);
     for (const scenes::FigureLimit& limit : c.file.limits) {
         const auto add = [&](const std::string& suffix, double value, bool at_least) {
-            c.held.push_back(
-                {check_of_figure(limit.figure, "limits." + limit.figure + suffix, at_least),
-                 {.value = value, .where = limit.where}});
+            c.held.push_back({(c.space ? check_in_space : check_of_figure)(
+                                  limit.figure, "limits." + limit.figure + suffix, at_least),
+                              {.value = value, .where = limit.where}});
         };
         const bool has_both = std::isfinite(limit.least) && std::isfinite(limit.most);
         if (std::isfinite(limit.least)) {

@@ -4,6 +4,8 @@
 #include "scenes/file/scene_file.h"
 #include "scenes/file/text_file.h"
 #include "scenes/run/run.h"
+#include "scenes/space/run.h"
+#include "scenes/space/scene_file.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +33,18 @@ std::filesystem::path example(const std::string& name) {
 class Example : public testing::TestWithParam<std::string> {};
 
 TEST_P(Example, RunsAndStaysValid) {
+    const std::string text = read_text_file(example(GetParam()));
+    if (space::is_in_space(text, example(GetParam()))) {
+        const space::SceneFile file = space::read_scene_text(text, example(GetParam()));
+        const space::RunResult result = space::run_scene(file.scene, file.scene.defaults, {});
+        EXPECT_TRUE(result.holds()) << result.problem;
+        for (const FigureLimit& limit : file.limits) {
+            const double measured = space::figures(result).at(limit.figure);
+            EXPECT_GE(measured, limit.least) << limit.figure;
+            EXPECT_LE(measured, limit.most) << limit.figure;
+        }
+        return;
+    }
     const SceneFile file = read_scene_file(example(GetParam()));
     RunOptions options;
     options.observer = [](int step, const Complex<double>& complex) {
