@@ -224,7 +224,20 @@ run_reference_and_film() {
     { "$scene" run bubbles --set h=0.03 --frames "$frames/film" --every 8 &&
         "$python" plots/film.py "$frames/film" --out "$report/bubbles.webp"; } \
         </dev/null >/dev/null || code=1
+    run_space </dev/null >/dev/null || code=1
     return "$code"
+}
+
+# Enright's test in three dimensions: several sizes, and a picture of the finest.
+run_space() {
+    local sizes=(16 24 32) n
+    $quick || sizes+=(48 64)
+    for n in "${sizes[@]}"; do
+        rm -rf "$frames/space"
+        "$scene" run enright --set h="$(awk "BEGIN { print 1 / $n }")" --frames "$frames/space" \
+            --at 0,1.5,3 --json "$report/enright-$n.json" || return 1
+    done
+    "$python" plots/space.py "$frames/space" --out "$report/enright.png"
 }
 
 run_scenes() {

@@ -15,6 +15,7 @@ import granularity
 import histograms
 import operations
 import precision
+import space
 import speedup
 import step_cost
 import submeshes
@@ -93,6 +94,7 @@ def build(results, drawn, out):
          "Neither the gate nor whole runs were made, so there is nothing to compare."),
         ("frames", "The meshes", None, pictures("frames", len(FIRST)), _no_frames(results)),
         ("film", "Thirty bubbles rise and merge", None, film.section(pathlib.Path(out)), ""),
+        ("space", "Three dimensions", None, space.section(out), ""),
         ("thesis", "The thesis's figures", None, gallery.section(pathlib.Path(out)), ""),
         ("steps", "Time of a step", None, pictures("steps", 1), _no_bench(bench)),
         ("speedup", "Several threads", None, pictures("speedup", 1), _no_bench(bench)),
