@@ -29,7 +29,7 @@ SIDE = 3.0               # inches, the longer side of a panel
 MOST_PANELS = 4
 QUALITY = 80             # of WebP's 100, in the report
 OF_REPORT = "enright"
-PICTURE, RESULT = OF_REPORT + ".png", re.compile(OF_REPORT + r"-\d+\.json")
+PICTURE = OF_REPORT + ".png"
 # The same flow by other programs (El Topo tracks the bare surface): volume lost, CPU seconds, vertices.
 PEERS = (("El Topo, a surface without a mesh around it", "0.25 %", "159", "6,291"),
          ("the official 3D DSC, 45,000 tets", "6.9 %", "", ""),
@@ -108,7 +108,7 @@ def section(out):
     """The part of the report in the folder `out`, where bench/run.sh has left a picture and results of
     Enright's test in several sizes; else nothing."""
     path = pathlib.Path(out) / PICTURE
-    results = [load.read_json(file) for file in sorted(pathlib.Path(out).iterdir()) if RESULT.fullmatch(file.name)]
+    results = [load.read_json(file) for file in sorted(pathlib.Path(out).glob(OF_REPORT + "-*.json"))]
     if not path.is_file() or not results:
         return ""
     results.sort(key=lambda one: -one["parameters"]["h"])

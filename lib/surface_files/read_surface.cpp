@@ -6,6 +6,7 @@
 #include <assimp/scene.h>
 
 #include <map>
+#include <span>
 
 namespace dsc3 {
 

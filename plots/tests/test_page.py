@@ -3,7 +3,10 @@
 import pathlib
 import re
 
+from PIL import Image
+
 import film
+import space
 from page import comparison, contents, document, findings, verdicts
 from results import load
 from tests.samples import PUBLISHED, Case, bench, hard_cases, name, row, scene, verify
@@ -178,6 +181,17 @@ class Words(Case):
         self.assertIn("data:image/webp;base64,YSBmaWxt",
                       film.section(pathlib.Path(self.path("out"))))
         self.assertEqual(film.section(pathlib.Path(self.folder)), "")
+
+    def test_three_dimensions_have_their_place(self):
+        self.assertEqual(space.section(self.path("out")), "")
+        self.write("out/enright-16.json", {
+            "parameters": {"h": 0.0625}, "interface_vertices_most": 1234, "sd_rel_last": 0.06,
+            "sd_rel_half": 0.2, "volume_ratio": 1.017, "vertex_error_rms": 0.00625, "unreached": 0,
+            "min_dihedral_deg_ever": 0.8, "cpu_s": 1.9, "us_per_vertex_and_sub_step": 20.0})
+        Image.new("RGB", (8, 8)).save(self.path("out/enright.png"))
+        text = space.section(self.path("out"))
+        for word in ("data:image/webp;base64,", "1/16", "1,234", "6.000 %", "0.100 h", "El Topo"):
+            self.assertIn(word, text)
 
     def test_the_gallery_has_its_place(self):
         self.write("out/gallery/section.html", "<p>drawn</p>")

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Every script that draws one kind of picture, as a user calls it; a file that is empty, cut off, or of
 another kind is refused in one sentence that names it, and leaves nothing behind."""
+import argparse
 import contextlib
 import importlib
 import io
 import itertools
 import json
 import os
+import struct
 import subprocess
 import sys
 import unittest
@@ -15,6 +17,7 @@ from PIL import Image
 
 import flow
 import over_time
+import space
 import speedup
 from results import load
 from tests.samples import (BUBBLE, DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, hard_cases,
@@ -57,7 +60,7 @@ class Scripts(Case):
                 "histograms": [self.write("s.json", scene(
                     0.01, 1e-3, 1, histograms={"area": shape}))],
                 "precision": errors, "convergence": errors, "flow": flows, "frames": [folder],
-                "submeshes": [folder], "over_time": [self.write("s.csv", SERIES)],
+                "space": [self.surface()], "submeshes": [folder], "over_time": [self.write("s.csv", SERIES)],
                 "rising_bubble": [self.write("r.json", BUBBLE)]}
 
     def test_each_draws_in_one_of_the_formats_and_says_what_the_picture_shows(self):
@@ -113,6 +116,31 @@ class Scripts(Case):
         status, errors, _ = self.call("film", self.folder, "--out", out)
         self.assertEqual(status, 2)
         self.assertIn("frames of 0 runs, where one is needed", errors)
+
+    def surface(self):
+        """The folder of a run in three dimensions: a tetrahedron as dsc_scene writes it."""
+        head = ("ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+                "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n")
+        points = struct.pack("<12d", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)
+        faces = b"".join(struct.pack("<B3i", 3, *face)
+                         for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)))
+        path = self.write("space/s.pvd", '<DataSet timestep="0.5" part="0" file="s_00000.vtu"/>')
+        with open(os.path.join(os.path.dirname(path), "s_00000.ply"), "wb") as stream:
+            stream.write(head.encode() + points + faces)
+        return os.path.dirname(path)
+
+    def test_a_surface_is_drawn_from_behind_to_the_front(self):
+        folder = self.surface()
+        given = argparse.Namespace(files=[folder])
+        (picture,) = space.draw(given)
+        axes = picture.figure.axes[0]
+        self.assertEqual(axes.get_title(loc="left"), "t = 0.5")
+        self.assertEqual(len(axes.collections[0].get_paths()), 4)
+        with open(os.path.join(folder, "s_00000.ply"), "ab") as stream:
+            stream.write(b"more")
+        status, errors, _ = self.call("space", folder, "--out", self.path("p.png"))
+        self.assertEqual((status, errors.count("\n")), (2, 1))
+        self.assertIn("is not whole", errors)
 
     def test_a_run_over_time(self):
         columns = over_time.read(self.write("s.csv", SERIES))

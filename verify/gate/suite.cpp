@@ -154,7 +154,7 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
     for (const std::string& scene : scenes) {
         const auto* const found = scenes::space::find_scene(scene);
         Case c = found != nullptr ? case_in_space({.scene = *found}, "")
-                                     : Case{.name = {}, .file = scenes::read_scene(reader, scene)};
+                                  : Case{.name = {}, .file = scenes::read_scene(reader, scene)};
         if (scenes::is_scene_file(scene)) {
             c.path = (reader.of("scene").file().parent_path() / scene).string();
         }

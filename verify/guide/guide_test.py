@@ -16,7 +16,7 @@ BUILD = os.environ["DSC_BUILD"]
 GUIDE = os.path.join(ROOT, "lib", "guide")
 FILES = ["README.md"] + sorted(f"lib/guide/{name}" for name in os.listdir(GUIDE)
                                if name.endswith(".md"))
-MODULES = ["dsc3", "fluid", "geometric_flows", "replay", "thesis", "topology"]  # what stands on another one after it
+MODULES = ["dsc3", "fluid", "geometric_flows", "replay", "surface_files", "thesis", "topology"]  # what stands on another one after it
 FILES += [f"lib/{module}/README.md" for module in MODULES]
 
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <tuple>
 
 namespace dsc3 {
 
