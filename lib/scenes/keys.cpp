@@ -66,10 +66,10 @@ std::vector<Key> make_keys() {
     using P = Parameters;
     using I = InterfaceThresholds;
     return {
-        number("h", &P::h, 1e-5, 1.0, "a length from 1e-5 to 1, in units of the domain"),
-        number("dt", &P::dt, 1e-12, 1e3, "a time from 1e-12 to 1000"),
+        number("h", &P::h, 1e-40, 1e40, "a length from 1e-40 to 1e40, in units of the domain"),
+        number("dt", &P::dt, 1e-40, 1e40, "a time from 1e-40 to 1e40"),
         number("steps", &P::steps, 1, 100'000'000, "a whole number from 1 to 100000000"),
-        for_some_scenes(number("period", &P::period, 1e-6, 1e6, "a time from 1e-6 to 1e6")),
+        for_some_scenes(number("period", &P::period, 1e-40, 1e40, "a time from 1e-40 to 1e40")),
         for_some_scenes(number("angle", &P::angle, 5.0, 45.0, "5 to 45 degrees")),
         for_some_scenes(
             number("grains", &P::grains, 4, 1'000'000, "a whole number from 4 to 1000000")),

@@ -55,6 +55,27 @@ class OwnScenes(CommandLine):
             return {row["check"]: row for row in json.load(stream)["checks"]}
 
 
+class Units(OwnScenes):
+    def test_micrometres_do_as_well(self):
+        in_micrometres = MINE.replace("h = 0.05\n", "h = 12.8\n").replace("[flow]", "[domain]\nlow = [0, 0]\nhigh = [256, 256]\n[flow]") \
+            .replace("x)", "x/256)").replace("y)", "y/256)").replace('u = "', 'u = "256*').replace('v = "-', 'v = "-256*') \
+            .replace("[0.5, 0.7], radius = 0.15", "[128, 179.2], radius = 38.4")
+        results = []
+        for text in (MINE, in_micrometres):
+            done = self.call_scene("run", self.scene(text), "--json", self.path("result.json"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(self.path("result.json"), encoding="utf-8") as stream:
+                results.append(json.load(stream))
+        one, other = results
+        self.assertEqual(one["triangles_last"], other["triangles_last"])
+        self.assertAlmostEqual(one["sd_rel_last"], other["sd_rel_last"], delta=1e-12)
+
+    def test_an_edge_length_that_no_memory_holds_is_refused(self):
+        done = self.call_scene("run", "swirl", "--set", "h=1e-6")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("at most 100000 edges along a side", done.stderr)
+
+
 class WhereItFails(OwnScenes):
     """A limit that is broken: what, why, where, a picture, and the run again."""
 

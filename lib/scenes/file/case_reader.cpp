@@ -59,7 +59,7 @@ std::vector<CaseSize> read_sizes(const CaseReader& reader) {
                              std::sqrt(4 / (std::sqrt(3.0) * triangles))});
         }
     } else if (reader.has("h")) {
-        for (const double h : numbers(reader, "h", {1e-5, 1})) {
+        for (const double h : numbers(reader, "h", {1e-40, 1e40})) {
             sizes.push_back({"", h});
         }
     } else {
