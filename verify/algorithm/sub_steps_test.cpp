@@ -6,6 +6,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "replay/mesh_hash.h"
 
@@ -191,6 +192,49 @@ TEST_F(Turning, AMomentOfRoughnessDoesNotMakeTheRestOfTheStepShort) {
     for (const std::uint32_t v : simulation.interface()) {
         EXPECT_NEAR((complex.position(Vertex{v}) - Point<double>(0.55, 0.5)).norm(), 0.2, 1e-4);
     }
+}
+
+// Thin layers make room for one another in turn, the first to move being the last in the list.
+constexpr double layers_h = 0.02;
+constexpr double thickness = 0.025 * layers_h;
+constexpr int layer_count = 40;
+
+Complex<double> layers() {
+    std::vector<Shape> shapes;
+    for (int i = 0; i < layer_count; ++i) {
+        const double low = 0.6 + 2 * thickness * i;
+        const double high = low + thickness;
+        shapes.push_back({{{0.2, low}, {0.8, low}, {0.8, high}, {0.2, high}}, 1});
+    }
+    return initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = layers_h});
+}
+
+class Layers : public testing::TestWithParam<test::Course> {};
+
+TEST_P(Layers, AllArriveAndKeepTheirArea) {
+    auto complex = layers();
+    const auto simulation =
+        test::make_simulation(complex, options_for<double>(layers_h), GetParam());
+    const StepReport report = simulation->step(test::constant<double>(0, 0.6 * layers_h), 0, 1);
+    EXPECT_EQ(report.unreached, 0U);
+    EXPECT_EQ(report.gave_up, GiveUp::none);
+    EXPECT_NEAR(phase_area(complex, 1), layer_count * 0.6 * thickness, 1e-12);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Courses, Layers, testing::ValuesIn(test::all_courses), test::course_name);
+
+TEST(OneLayerAfterAnother, AStepThatEndsByTheNumberOfPassesGivesUp) {
+    auto complex = layers();
+    auto options = options_for<double>(layers_h);
+    options.max_passes = 4;
+    Simulation<double> simulation(complex, options);
+    const StepReport report = simulation.step(test::constant<double>(0, 1.2 * layers_h), 0, 1);
+    EXPECT_EQ(report.gave_up, GiveUp::too_many_passes);
+    EXPECT_GT(report.unreached, 0U);
+    EXPECT_EQ(report.sub_steps, 1U);
+    EXPECT_NEAR(report.reached, 0.5, 1e-12);
+    EXPECT_EQ(validate(complex).problem, "");
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "dsc/algorithm/interface_sight.h"
 #include "dsc/base/error.h"
 #include "dsc/base/room.h"
+#include "dsc/motion/movement.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
 
@@ -63,11 +64,23 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
     return done;
 }
 
-// One that has vanished on its way has nowhere to arrive.
+// Vertices that were deleted on their way have nowhere to arrive; those that crept to their targets
+// have arrived.
 template <class Real>
 std::uint64_t give_up_moving_vertices(Work<Real>& work) {
+    const auto edge_length = static_cast<Real>(work.options.edge_length);
     std::erase_if(work.moving_vertices, [&](const MovingVertex<Real>& moving_vertex) {
-        return !work.complex.is_alive(Vertex{moving_vertex.vertex});
+        const Vertex v{moving_vertex.vertex};
+        if (!work.complex.is_alive(v)) {
+            return true;
+        }
+        const Point<Real> target(moving_vertex.x, moving_vertex.y);
+        const bool is_there = is_at<Real>(work.complex.position(v), target, edge_length);
+        if (is_there) {
+            work.complex.vertices[v.id].flags &=
+                ~static_cast<std::uint32_t>(vertex_contact | vertex_on_way);
+        }
+        return is_there;
     });
     for (const auto& moving_vertex : work.moving_vertices) {
         auto& flags = work.complex.vertices[moving_vertex.vertex].flags;

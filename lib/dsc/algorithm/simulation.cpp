@@ -406,9 +406,15 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
     ++report.sub_steps;
     remaining = dt < remaining ? remaining - dt : Real(0);
     time = remaining > 0 ? time + dt : end; // not what rounding makes of the sum
+    std::uint64_t left = moved.unreached - moved.held;
     if (!stages_.empty()) {
-        report.unreached -=
-            run_stages(time, dt, targets.held + moved.unreached, moved.unreached > moved.held);
+        const std::uint64_t freed = run_stages(time, dt, targets.held + moved.unreached, left > 0);
+        report.unreached -= freed;
+        left -= std::min(left, freed);
+    }
+    if (left > 0 && moved.passes >= static_cast<std::uint32_t>(options_.max_passes)) {
+        report.gave_up = GiveUp::too_many_passes; // what is left has been counted
+        return false;
     }
     return true;
 }

@@ -79,6 +79,7 @@ private:
 enum class GiveUp : std::uint8_t {
     none,
     too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
+    too_many_passes,    ///< vertices were still on their way after `max_passes` of a sub-step
     velocity_jumps,     ///< sub-steps of `adaptive` become ever shorter where the velocity jumps
     interrupted,        ///< by `Simulation::interrupt_by`
 };

@@ -57,6 +57,19 @@ enum class MoveOutcome : std::uint8_t {
 /// A move by less than this share of the way is not worth its rounding.
 inline constexpr double least_fraction = 1e-3;
 
+/// What is left of a way is rounding up to this many units in the last place of the coordinates, or
+/// of an edge length where those are small: targets are sums of some terms and known no better.
+inline constexpr int arrival_units = 8;
+
+/// Whether a vertex is at its target, all but rounding. Sheets whose targets coincide creep to
+/// them, by about half of the way at a time. O(1).
+template <class Real>
+bool is_at(const Point<Real>& position, const Point<Real>& target, Real edge_length) {
+    const Real scale = std::max(target.cwiseAbs().maxCoeff(), edge_length);
+    const Real rounding = arrival_units * std::numeric_limits<Real>::epsilon() * scale;
+    return (target - position).cwiseAbs().maxCoeff() <= rounding;
+}
+
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
 template <class Real>
 MoveOutcome move_vertex(const Submesh<Real>& submesh, Ring<Real>& ring, Real x, Real y,

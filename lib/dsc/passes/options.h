@@ -101,8 +101,11 @@ struct Options {
 
     double sub_step = 0.6;     ///< the farthest that a vertex moves at a time, in edge lengths
     int max_sub_steps = 10000; ///< of one step; then the step gives up and reports it
-    int max_passes = 32;       ///< movement and mesh update, of one sub-step
-    int max_idle_passes = 6;   ///< passes without any progress before the sub-step ends
+    /// Of movement and mesh update, in one sub-step, which ends long before: once all vertices have
+    /// arrived or none makes progress. A step in which that does not happen gives up and reports
+    /// it.
+    int max_passes = 1000;
+    int max_idle_passes = 6; ///< passes without any progress before the sub-step ends
 
     /// The thresholds that hold for a phase. O(1).
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {

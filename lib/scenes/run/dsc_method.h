@@ -271,6 +271,13 @@ private:
                              std::to_string(report.where.id) + " moves at " +
                              std::to_string(report.speed);
         }
+        if (report.gave_up == GiveUp::too_many_passes) {
+            result.gave_up = "in a step at time " + std::to_string(time) + " " +
+                             std::to_string(report.unreached) +
+                             " vertices were still on their way after " +
+                             std::to_string(options_.max_passes) +
+                             " passes of a sub-step; make sub_step smaller";
+        }
         add_operations(result, report.operations);
         if (topology_) {
             result.area += topology_->take_area();

@@ -78,7 +78,7 @@ template <class Real>
 std::uint32_t SubmeshExecutor<Real>::next_epochs() {
     const auto needed = 2 * static_cast<std::uint32_t>(options_.max_passes) + 8;
     if (epoch_ > 0xffffffffU - 4 * needed) {
-        clear_stamps(complex_); // once in some 15 million sub-steps
+        clear_stamps(complex_); // once in some 500,000 sub-steps
         epoch_ = 0;
     }
     const std::uint32_t first = epoch_ + 1;
