@@ -77,7 +77,10 @@ public:
                         "sub_steps"_a = report_.sub_steps,
                         "interface_vertices"_a = report_.interface_vertices,
                         "reached"_a = report_.reached,
-                        "gave_up"_a = report_.gave_up != GiveUp::none, "events"_a = events);
+                        "gave_up"_a = report_.gave_up == GiveUp::none
+                                          ? std::string()
+                                          : std::string(name_in(give_up_names, report_.gave_up)),
+                        "events"_a = events, "reason"_a = sentence(report_));
     }
     [[nodiscard]] std::size_t interface_size() const {
         (void)mesh_->complex(); // refused while a step runs

@@ -232,6 +232,13 @@ class Runs(unittest.TestCase):
         self.assertEqual(len(reports), 3)
         self.assertAlmostEqual(sim.time, 3 * H)
         self.assertRegex(said[-1], r"^step 3 of 10, t = 0\.06, \d+ interface vertices, 0 unreached$")
+        self.assertEqual((reports[-1].gave_up, reports[-1].reason), ("", ""))
+
+    def test_a_step_that_gives_up_says_why(self):
+        sim = dsc.Simulation(disc_mesh(), edge_length=H)
+        report = sim.step(lambda x, t: 1e9 * swirl(x, t), 0, 1)
+        self.assertEqual(report.gave_up, "too_many_sub_steps")
+        self.assertRegex(report.reason, r"max_sub_steps sub-steps: vertex \d+ moves at a speed of \d")
 
 
 if __name__ == "__main__":

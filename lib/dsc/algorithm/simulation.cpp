@@ -360,6 +360,26 @@ Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
     return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / most_dt_));
 }
 
+std::string sentence(const StepReport& report) {
+    const auto at = [](const auto& value) { return to_text(value); };
+    const std::string vertex = "vertex " + at(report.where.id);
+    switch (report.gave_up) {
+    case GiveUp::none: break;
+    case GiveUp::too_many_sub_steps:
+        return "the step needs more than max_sub_steps sub-steps: " + vertex +
+               " moves at a speed of " + at(report.speed);
+    case GiveUp::too_many_passes:
+        return at(report.unreached) +
+               " vertices were still on their way after max_passes passes of a "
+               "sub-step; make sub_step smaller";
+    case GiveUp::velocity_jumps:
+        return "the velocity jumps at " + vertex +
+               ", so that no sub-step meets the tolerance; use another integrator";
+    case GiveUp::interrupted: return "the step was interrupted";
+    }
+    return {};
+}
+
 template <class Real>
 bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
                                 StepReport& report) {

@@ -8,12 +8,14 @@
 #include "dsc/motion/integrator.h"
 #include "dsc/passes/algorithm.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace dsc {
@@ -84,6 +86,14 @@ enum class GiveUp : std::uint8_t {
     interrupted,        ///< by `Simulation::interrupt_by`
 };
 
+inline constexpr std::array give_up_names{
+    Named{GiveUp::none, "none"},
+    Named{GiveUp::too_many_sub_steps, "too_many_sub_steps"},
+    Named{GiveUp::too_many_passes, "too_many_passes"},
+    Named{GiveUp::velocity_jumps, "velocity_jumps"},
+    Named{GiveUp::interrupted, "interrupted"},
+};
+
 /// What one step did.
 struct StepReport {
     OperationCounts operations;  ///< counts of what was done, by stages as well
@@ -100,6 +110,9 @@ struct StepReport {
     std::uint32_t interface_vertices = 0; ///< at the end of the step
     double reached = 0; ///< the time at the end: time + dt, or earlier if the step gave up
 };
+
+/// Why a step gave up and what may help; empty if it did not give up.
+[[nodiscard]] std::string sentence(const StepReport& report);
 
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
 struct Parallel;

@@ -2,7 +2,7 @@
 # The types of what users find in the package; docstrings are in the module.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
-from typing import Any, NamedTuple, TypedDict
+from typing import Any, Literal, NamedTuple, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -51,8 +51,9 @@ class Report(NamedTuple):
     sub_steps: int
     interface_vertices: int
     reached: float
-    gave_up: bool
+    gave_up: Literal["", "too_many_sub_steps", "too_many_passes", "velocity_jumps", "interrupted"]
     events: list[Event]
+    reason: str
 
 class Interface:
     positions: Floats

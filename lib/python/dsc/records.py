@@ -77,7 +77,7 @@ class Event(namedtuple("Event", "kind time place lost taken area")):
     __slots__ = ()
 
 
-class Report(namedtuple("Report", "unreached held sub_steps interface_vertices reached gave_up events")):
+class Report(namedtuple("Report", "unreached held sub_steps interface_vertices reached gave_up events reason")):
     """What one step did.
 
     Attributes
@@ -92,10 +92,13 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
         At the end of the step.
     reached : float
         The time at the end: earlier than asked for if the step gave up.
-    gave_up : bool
-        Whether the velocity required more than `max_sub_steps`, or jumps (`adaptive`).
+    gave_up : str
+        Empty if the step was done as a whole; else `too_many_sub_steps` (of the velocity),
+        `too_many_passes` (of a sub-step), `velocity_jumps` (`adaptive`) or `interrupted`.
     events : list of Event
         Changes of topology, in their order.
+    reason : str
+        Why the step gave up and what may help, as a sentence; empty if it did not give up.
     """
 
     __slots__ = ()

@@ -260,23 +260,8 @@ private:
         result.unreached += report.unreached;
         result.held += report.held;
         result.sub_steps += report.sub_steps;
-        if (report.gave_up == GiveUp::velocity_jumps) {
-            result.gave_up = "in a step at time " + std::to_string(time) +
-                             " the velocity jumps at vertex " + std::to_string(report.where.id) +
-                             ", so that no sub-step meets the tolerance; use another integrator";
-        }
-        if (report.gave_up == GiveUp::too_many_sub_steps) {
-            result.gave_up = "a step at time " + std::to_string(time) + " asks for more than " +
-                             std::to_string(options_.max_sub_steps) + " sub-steps: vertex " +
-                             std::to_string(report.where.id) + " moves at " +
-                             std::to_string(report.speed);
-        }
-        if (report.gave_up == GiveUp::too_many_passes) {
-            result.gave_up = "in a step at time " + std::to_string(time) + " " +
-                             std::to_string(report.unreached) +
-                             " vertices were still on their way after " +
-                             std::to_string(options_.max_passes) +
-                             " passes of a sub-step; make sub_step smaller";
+        if (report.gave_up != GiveUp::none) {
+            result.gave_up = "in a step at time " + std::to_string(time) + ", " + sentence(report);
         }
         add_operations(result, report.operations);
         if (topology_) {
