@@ -53,7 +53,8 @@ InitialOptions initial_options(const py::dict& keywords) {
     return {.edge_length = choices.options.edge_length,
             .sizes = choices.options.sizes,
             .detail = choices.detail,
-            .border_tolerance = choices.border_tolerance};
+            .border_tolerance = choices.border_tolerance,
+            .coverage = choices.coverage};
 }
 
 // The first complex, of shapes: (outline, phase inside), or of curves: (points, left, right).

@@ -58,6 +58,7 @@ const auto& names_of(Insertion /*type*/) { return insertion_names; }
 const auto& names_of(Coarsening /*type*/) { return coarsening_names; }
 const auto& names_of(Reading /*type*/) { return reading_names; }
 const auto& names_of(Detail /*type*/) { return detail_names; }
+const auto& names_of(Coverage /*type*/) { return coverage_names; }
 const auto& names_of(Topology /*type*/) { return topology_names; }
 const auto& names_of(ChosenDivision /*type*/) {
     static const auto table = [] {
@@ -155,7 +156,8 @@ void set(Field& field, const std::string& name, const py::handle& value) {
 // clang-format off: a row is a line or two
 template <class AnyChoices, class Visit>
 void for_each_option(AnyChoices& choices, Use use, Visit visit) {
-    auto& [options, topology, detail, border_tolerance, threads, division, submeshes] = choices;
+    auto& [options, topology, detail, border_tolerance, coverage, threads, division, submeshes] =
+        choices;
     auto& sizes = options.sizes;
     auto& interface = options.interface;
     visit("edge_length", options.edge_length, "target length of edges, in units of the domain");
@@ -172,6 +174,7 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
         visit("detail", detail, "what happens to detail of shapes that is finer than the mesh");
         visit("border_tolerance", border_tolerance,
               "borders of shapes nearer than this are one, in edge lengths; 0.001 to 0.1");
+        visit("coverage", coverage, "what happens to wider gaps and overlaps of shapes");
         return;
     }
     visit("integrator", options.integrator, "how targets are found from velocities");

@@ -25,6 +25,7 @@ struct Choices {
     TopologyOptions<double> topology;
     Detail detail = InitialOptions{}.detail;                     ///< of the initial complex
     double border_tolerance = InitialOptions{}.border_tolerance; ///< the same
+    Coverage coverage = InitialOptions{}.coverage;               ///< the same
     std::optional<std::uint32_t> threads; ///< of `Parallel`, like the next two
     std::optional<ChosenDivision> division;
     std::optional<std::uint32_t> submeshes;

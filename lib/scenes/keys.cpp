@@ -100,6 +100,7 @@ std::vector<Key> make_keys() {
         choice("detail", &P::detail, detail_names),
         number("border_tolerance", &P::border_tolerance, 1e-3, 0.1,
                "0.001 to 0.1, in edge lengths"),
+        choice("coverage", &P::coverage, coverage_names),
         choice("real", &P::real, real_type_names),
         number("seed", &P::seed, std::uint64_t{0}, UINT64_MAX, "a whole number from 0 to 2^64 - 1"),
     };

@@ -65,6 +65,7 @@ struct Parameters {
     bool gives_back = false;                 ///< area that changes of topology take
     Detail detail = InitialOptions{}.detail; ///< what happens to detail finer than the mesh
     double border_tolerance = InitialOptions{}.border_tolerance; ///< in edge lengths
+    Coverage coverage = InitialOptions{}.coverage; ///< what happens to gaps and overlaps
     RealType real = RealType::double_precision;
     std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
 };

@@ -24,10 +24,11 @@ Ring box(double x, double y, double width, double height) {
 }
 
 std::map<Phase, double> areas(const std::vector<Shape>& shapes, InputReport* report = nullptr,
-                              double tolerance = 1e-3) {
-    const auto complex =
-        initial_complex<double>({}, std::span<const Shape>(shapes),
-                                {.edge_length = 0.05, .border_tolerance = tolerance}, report);
+                              double tolerance = 1e-3, double edge_length = 0.05,
+                              Coverage coverage = Coverage::open) {
+    const auto complex = initial_complex<double>(
+        {}, std::span<const Shape>(shapes),
+        {.edge_length = edge_length, .border_tolerance = tolerance, .coverage = coverage}, report);
     EXPECT_TRUE(validate(complex).ok());
     std::map<Phase, double> found = test::areas_by_phase(complex);
     found.erase(exterior_phase);
@@ -128,7 +129,57 @@ TEST(ShapeNetwork, CellsOfAVoronoiDiagram) {
         expected[phase] = std::abs(scenes::signed_area(corners));
         cells.push_back({corners, phase});
     }
-    expect_areas(cells, expected);
+    // Cells keep their areas, unless junctions become one.
+    InputReport report;
+    const std::map<Phase, double> found = areas(cells, &report, 1e-3, 0.01);
+    ASSERT_EQ(found.size(), expected.size());
+    std::size_t kept = 0;
+    double sum = 0;
+    for (const auto& [phase, area] : expected) {
+        EXPECT_NEAR(found.at(phase), area, 1e-13 + report.area_changed) << phase;
+        kept += std::abs(found.at(phase) - area) < 1e-13 ? 1U : 0U;
+        sum += found.at(phase);
+    }
+    EXPECT_NEAR(sum, 1, 1e-8); // corners are rounded to nine digits
+    EXPECT_GE(kept + 4 * report.thinned, cells.size());
+}
+
+// Gaps and overlaps between halves of the domain, of a tenth of an edge length: straight, and with
+// borders that cross each other, so that they take turns.
+TEST(ShapeNetwork, GapsAndOverlapsGoToTheNeighbourThatIsNamed) {
+    constexpr double h = 0.05;
+    const auto halves = [](double gap) {
+        return std::vector<Shape>{{box(0, 0, 0.5, 1), 1}, {box(0.5 + gap, 0, 0.5 - gap, 1), 2}};
+    };
+    for (const double gap : {0.1 * h, -0.1 * h}) {
+        for (const Coverage coverage : {Coverage::first, Coverage::longest_border}) {
+            const auto found = areas(halves(gap), nullptr, 1e-3, h, coverage);
+            EXPECT_NEAR(found.at(1), gap > 0 ? 0.5 + gap : 0.5, 1e-13);
+            EXPECT_NEAR(found.at(1) + found.at(2), 1, 1e-13);
+        }
+        EXPECT_THROW((void)areas(halves(gap), nullptr, 1e-3, h, Coverage::whole), InputError);
+    }
+    EXPECT_NEAR(areas(halves(0), nullptr, 1e-3, h, Coverage::whole).at(1), 0.5, 1e-13);
+    // A lake and the sea are no gaps.
+    const std::vector<Shape> island{{box(0.2, 0.2, 0.6, 0.6), 1, {box(0.4, 0.4, 0.2, 0.2)}}};
+    EXPECT_NEAR(areas(island, nullptr, 1e-3, h, Coverage::whole).at(1), 0.32, 1e-13);
+
+    Ring left{{0, 0}};
+    Ring right{{1, 1}, {1, 0}};
+    constexpr int waves = 20;
+    for (int i = 0; i <= waves; ++i) {
+        const double y = static_cast<double>(i) / waves;
+        left.emplace_back(0.5 + (i % 2 == 0 ? 0.2 : -0.2) * h, y);
+        right.emplace_back(0.5 - (i % 2 == 0 ? 0.2 : -0.2) * h, y);
+    }
+    left.emplace_back(0, 1);
+    const std::vector<Shape> crossing{{left, 1}, {right, 2}};
+    EXPECT_THROW((void)areas(crossing), InputError);
+    EXPECT_THROW((void)areas(crossing, nullptr, 1e-3, h, Coverage::whole), InputError);
+    InputReport report;
+    const auto found = areas(crossing, &report, 1e-3, h, Coverage::first);
+    EXPECT_NEAR(found.at(1) + found.at(2), 1, 1e-12);
+    EXPECT_NEAR(found.at(1), 0.5 + 0.1 * h, 1e-3 + report.area_changed);
 }
 
 TEST(ShapeNetwork, PartsThatTouchNothingKeepTheirBits) {
@@ -143,6 +194,35 @@ TEST(ShapeNetwork, PartsThatTouchNothingKeepTheirBits) {
     for (std::uint32_t v = 0; v < one.vertex_bound(); ++v) {
         EXPECT_EQ(one.position(Vertex{v}), other.position(Vertex{v}));
     }
+}
+
+// Four cells that nearly meet in a point, with a border of a tenth of an edge length in between;
+// and a cell of that size where three others meet.
+TEST(ShapeNetwork, JunctionsTooCloseForTheMeshBecomeOne) {
+    constexpr double e = 0.0025;
+    const Point<double> low(0.5, 0.5 - e);
+    const Point<double> high(0.5, 0.5 + e);
+    const Ring left{{0, 0}, low, high, {0, 1}};
+    const Ring right{{1, 0}, {1, 1}, high, low};
+    InputReport report;
+    const std::vector<Shape> four{
+        {left, 1}, {right, 2}, {{{0, 0}, {1, 0}, low}, 3}, {{{0, 1}, high, {1, 1}}, 4}};
+    for (const auto& [phase, area] : areas(four, &report)) {
+        EXPECT_NEAR(area, 0.25, 1e-12) << phase; // as if they met in the middle
+    }
+    EXPECT_EQ(report.thinned, 1U);
+    EXPECT_EQ(report.dropped, 0U);
+    EXPECT_NEAR(report.deviation, e, 1e-15);
+    EXPECT_NEAR(report.area_changed, 4 * e / 4, 1e-12);
+
+    const Point<double> side(0.5 + e, 0.5);
+    const std::vector<Shape> speck{{left, 1},
+                                   {{low, side, high}, 2},
+                                   {{{0, 0}, {1, 0}, {1, 0.5}, side, low}, 3},
+                                   {{{0, 1}, high, side, {1, 0.5}, {1, 1}}, 4}};
+    report = {};
+    EXPECT_EQ(areas(speck, &report).size(), 3U);
+    EXPECT_EQ(report.dropped, 1U);
 }
 
 } // namespace

@@ -101,7 +101,7 @@ class Options(unittest.TestCase):
         names, _ = stubbed()["initial_complex"]
         for name in names[3:]:
             self.assertRegex(dsc.initial_complex.__doc__, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")
-            self.assertIn(name, ["detail", "border_tolerance", *sim.options])
+            self.assertIn(name, ["detail", "border_tolerance", "coverage", *sim.options])
 
 
 class Stubs(unittest.TestCase):

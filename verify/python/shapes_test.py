@@ -57,6 +57,16 @@ class Shapes(unittest.TestCase):
         self.assertEqual({k: round(v, 12) for k, v in again.areas.items()},
                          {k: round(v, 12) for k, v in mesh.areas.items()})
 
+    def test_gaps_go_to_a_neighbour(self):
+        halves = {3: [(0, 0), (.5, 0), (.5, 1), (0, 1)], 7: [(.51, 0), (1, 0), (1, 1), (.51, 1)]}
+        for coverage, error in (("first", None), ("longest_border", None), ("whole", "a gap between shapes")):
+            if error is None:
+                mesh = dsc.initial_complex(DOMAIN, halves, edge_length=H, coverage=coverage)
+                self.assertAlmostEqual(mesh.areas[3] + mesh.areas[7], 1)
+            else:
+                with self.assertRaisesRegex(dsc.InputError, error):
+                    dsc.initial_complex(DOMAIN, halves, edge_length=H, coverage=coverage)
+
     def test_heights(self):
         ring = np.c_[np.array(OUTER), np.full(5, 12.5)]
         self.assertEqual(areas({1: ring}), {1: .36})

@@ -103,22 +103,17 @@ INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
 // What a result file says of a run can be given back to the command line.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
     const std::map<std::string, std::string> texts{
-        {"h", "0.125"},           {"dt", "0.5"},
-        {"steps", "260"},         {"period", "8"},
-        {"angle", "30"},          {"grains", "25"},
-        {"inside", "coarse"},     {"outside", "coarse"},
-        {"ramp", "linear"},       {"integrator", "euler"},
-        {"tolerance", "0.25"},    {"insertion", "linear"},
-        {"coarsening", "length"}, {"reading", "cubic"},
-        {"longest", "1.25"},      {"shortest", "0.125"},
-        {"deviation", "0.5"},     {"turn", "15"},
-        {"corner", "180"},        {"gap", "2"},
-        {"grading", "2.5"},       {"finest", "0.0625"},
-        {"grade", "1.25"},        {"topology", "change"},
-        {"contact", "0.0078125"}, {"least_area", "0.25"},
-        {"seams", "no"},          {"give_back", "yes"},
-        {"detail", "keep"},       {"border_tolerance", "0.0625"},
-        {"real", "float"},        {"seed", "18446744073709551615"}};
+        {"h", "0.125"},           {"dt", "0.5"},          {"steps", "260"},
+        {"period", "8"},          {"angle", "30"},        {"grains", "25"},
+        {"inside", "coarse"},     {"outside", "coarse"},  {"ramp", "linear"},
+        {"integrator", "euler"},  {"tolerance", "0.25"},  {"insertion", "linear"},
+        {"coarsening", "length"}, {"reading", "cubic"},   {"longest", "1.25"},
+        {"shortest", "0.125"},    {"deviation", "0.5"},   {"turn", "15"},
+        {"corner", "180"},        {"gap", "2"},           {"grading", "2.5"},
+        {"finest", "0.0625"},     {"grade", "1.25"},      {"topology", "change"},
+        {"contact", "0.0078125"}, {"least_area", "0.25"}, {"seams", "no"},
+        {"give_back", "yes"},     {"detail", "keep"},     {"border_tolerance", "0.0625"},
+        {"coverage", "first"},    {"real", "float"},      {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);

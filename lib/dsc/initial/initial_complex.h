@@ -87,6 +87,23 @@ inline constexpr std::array detail_names{
     Named{Detail::keep, "keep"},
 };
 
+/// What happens to gaps, regions of no shape between shapes and sides of the domain that are
+/// narrower than the edge length on average, and to overlaps, regions of two shapes of which none
+/// lies in the other.
+enum class Coverage : std::uint8_t {
+    open,           ///< gaps are of `exterior_phase`, overlaps are refused
+    whole,          ///< both are refused
+    longest_border, ///< both go to the shape with the longest border there
+    first,          ///< both go to the shape that comes first
+};
+
+inline constexpr std::array coverage_names{
+    Named{Coverage::open, "open"},
+    Named{Coverage::whole, "whole"},
+    Named{Coverage::longest_border, "longest_border"},
+    Named{Coverage::first, "first"},
+};
+
 /// What was left out of shapes or curves because the mesh is too coarse for it.
 struct InputReport {
     std::size_t points = 0;  ///< given
@@ -115,6 +132,7 @@ struct InitialOptions {
     /// Borders of shapes that are nearer to each other than this times the edge length are one;
     /// 0.001 to 0.1.
     double border_tolerance = 1e-3;
+    Coverage coverage = Coverage::open; ///< what happens to gaps and overlaps that are wider
 };
 
 /// Triangulates `domain` with the outlines of `shapes` as its interface.

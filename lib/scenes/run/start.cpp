@@ -50,6 +50,7 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters, In
     options.edge_length = parameters.h;
     options.detail = parameters.detail;
     options.border_tolerance = parameters.border_tolerance;
+    options.coverage = parameters.coverage;
     options.sizes = sizes_of(setup, parameters);
     if (setup.labels || !setup.curves.empty()) {
         const std::span<const dsc::Curve> curves(setup.curves);

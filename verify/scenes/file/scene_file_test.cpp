@@ -118,6 +118,11 @@ TEST(SceneFile, TellsWhatIsTooFineForTheMesh) {
     EXPECT_EQ(
         run_text(options + "border_tolerance = 0.1\n" + halves).phases.phases.back().components,
         1U);
+    const std::string strips = "[[shape]]\nrectangle = { low = [0.2, 0.0], high = [0.5, 1.0] }\n"
+                               "[[shape]]\nrectangle = { low = [0.505, 0.0], high = [0.8, 1.0] }\n";
+    EXPECT_EQ(run_text(options + "coverage = 'first'\n" + strips).phases.phases.back().components,
+              1U);
+    EXPECT_THROW((void)run_text(options + "coverage = 'whole'\n" + strips), InputError);
 }
 
 TEST(SceneFile, ShapesOfSeveralPhasesRun) {

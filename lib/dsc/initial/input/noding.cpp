@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -208,6 +209,65 @@ public:
         }
     }
 
+    // The loops with the points where edges of different shapes cross; none if no edges do.
+    template <class Real>
+    [[nodiscard]] std::optional<std::vector<Loop>> crossed() const {
+        std::vector<ChainEdge> edges;
+        for (std::uint32_t k = 0; k < chains_.size(); ++k) {
+            for (std::uint32_t i = 0; i < chains_[k].size(); ++i) {
+                const std::uint32_t from = chains_[k][i].id;
+                const std::uint32_t to = chains_[k][i + 1 == chains_[k].size() ? 0 : i + 1].id;
+                if (from != to) {
+                    edges.push_back({from, to, k, i});
+                }
+            }
+        }
+        const auto low = [this](const ChainEdge& edge) {
+            return std::min(points_[edge.from].x(), points_[edge.to].x());
+        };
+        std::ranges::sort(edges, {}, [&](const ChainEdge& edge) {
+            return std::tuple(low(edge), edge.loop, edge.at);
+        });
+        std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Point<double>>> found;
+        std::vector<ChainEdge> status;
+        for (const ChainEdge& edge : edges) {
+            std::erase_if(status, [&](const ChainEdge& other) {
+                return std::max(points_[other.from].x(), points_[other.to].x()) < low(edge);
+            });
+            for (const ChainEdge& other : status) {
+                if (loops_[edge.loop].shape != loops_[other.loop].shape && cross(edge, other)) {
+                    const Point<double> place = rounded<Real>(place_of(points_, other, edge));
+                    found[{edge.loop, edge.at}].push_back(place);
+                    found[{other.loop, other.at}].push_back(place);
+                }
+            }
+            status.push_back(edge);
+        }
+        if (found.empty()) {
+            return std::nullopt;
+        }
+        std::vector<Loop> loops(loops_.begin(), loops_.end());
+        for (std::uint32_t k = 0; k < loops.size(); ++k) {
+            loops[k].points.clear();
+            loops[k].numbers.clear();
+            for (std::uint32_t i = 0; i < chains_[k].size(); ++i) {
+                const auto& [id, number] = chains_[k][i];
+                const Point<double>& begin = points_[id];
+                std::vector<Point<double>>& places = found[{k, i}];
+                std::ranges::sort(places, {},
+                                  [&](const Point<double>& p) { return distance(p, begin); });
+                places.insert(places.begin(), begin);
+                for (const Point<double>& p : places) {
+                    if (loops[k].points.empty() || loops[k].points.back() != p) {
+                        loops[k].points.push_back(p);
+                        loops[k].numbers.push_back(number);
+                    }
+                }
+            }
+        }
+        return loops;
+    }
+
     NodedShapes result() {
         std::vector<std::array<std::uint32_t, 5>> all; // ends, shape, loop, number
         for (std::uint32_t k = 0; k < chains_.size(); ++k) {
@@ -247,6 +307,23 @@ private:
         std::uint32_t number; // of the edge that begins there
     };
     using Way = std::vector<Place>;
+    struct ChainEdge {
+        std::uint32_t from;
+        std::uint32_t to;
+        std::uint32_t loop;
+        std::uint32_t at; // in its chain
+    };
+
+    [[nodiscard]] bool cross(const ChainEdge& one, const ChainEdge& other) const {
+        const auto are_apart = [this](const ChainEdge& line, const ChainEdge& ends) {
+            const Point<double>& a = points_[line.from];
+            const Point<double>& b = points_[line.to];
+            return orientation<double>(a, b, points_[ends.from]) *
+                       orientation<double>(a, b, points_[ends.to]) <
+                   0;
+        };
+        return are_apart(one, other) && are_apart(other, one);
+    }
 
     void add_loop(std::uint32_t id, std::uint32_t loop) {
         std::vector<std::uint32_t>& list = loops_at_[id];
@@ -323,14 +400,14 @@ private:
     }
 
     // About where two edges cross.
-    static Point<double> place_of(std::span<const Point<double>> points, const NodedEdge& one,
-                                  const NodedEdge& other) {
+    static Point<double> place_of(std::span<const Point<double>> points, const auto& one,
+                                  const auto& other) {
         const Point<double>& a = points[one.from];
         const Point<double> along = points[one.to] - a;
         const Point<double>& c = points[other.from];
         const Point<double> across = points[other.to] - c;
-        const double turn = cross<double>(along, across);
-        const double share = turn == 0 ? 0.5 : cross<double>(c - a, across) / turn;
+        const double turn = dsc::cross<double>(along, across);
+        const double share = turn == 0 ? 0.5 : dsc::cross<double>(c - a, across) / turn;
         return a + std::clamp(share, 0.0, 1.0) * along;
     }
 
@@ -352,7 +429,8 @@ bool is_along_side(const Lattice& lattice, const Point<double>& a, const Point<d
 }
 
 template <class Real>
-NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance) {
+NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance,
+                        bool may_cross) {
     std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
     std::size_t clipped = 0;
     bool is_inside = true;
@@ -373,16 +451,25 @@ NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double
         clipped += is_clipped ? 1 : 0;
     }
     std::erase_if(loops, [](const Loop& loop) { return loop.points.size() < 3; });
-    Noding noding(loops, lattice, tolerance);
-    noding.join_points();
-    noding.join_edges();
-    NodedShapes result = noding.result();
+    std::optional<Noding> noding;
+    // Edges that were joined may come to cross others, which takes a round or two.
+    for (int rounds = 8;; --rounds) {
+        noding.emplace(loops, lattice, tolerance);
+        noding->join_points();
+        noding->join_edges();
+        auto crossed = may_cross && rounds > 0 ? noding->crossed<Real>() : std::nullopt;
+        if (!crossed) {
+            break;
+        }
+        loops.swap(*crossed);
+    }
+    NodedShapes result = noding->result();
     result.clipped = clipped;
     result.is_as_given = result.is_as_given && is_inside;
     return result;
 }
 
-template NodedShapes node_shapes<double>(std::vector<Loop>&, const Lattice&, double);
-template NodedShapes node_shapes<float>(std::vector<Loop>&, const Lattice&, double);
+template NodedShapes node_shapes<double>(std::vector<Loop>&, const Lattice&, double, bool);
+template NodedShapes node_shapes<float>(std::vector<Loop>&, const Lattice&, double, bool);
 
 } // namespace dsc::initial

@@ -41,8 +41,10 @@ struct NodedShapes {
 [[nodiscard]] bool is_along_side(const Lattice& lattice, const Point<double>& a,
                                  const Point<double>& b);
 
-/// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross.
+/// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross,
+/// unless they are of different shapes and `may_cross`: then they meet there.
 template <class Real>
-NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance);
+NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance,
+                        bool may_cross = false);
 
 } // namespace dsc::initial

@@ -3,7 +3,9 @@
 
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/input/contraction.h"
 #include "dsc/initial/input/noding.h"
+#include "dsc/initial/input/region_phases.h"
 #include "dsc/initial/input/thinning.h"
 #include "dsc/initial/rounding.h"
 
@@ -20,160 +22,6 @@ namespace dsc::initial {
 namespace {
 
 using Points = std::vector<Point<double>>;
-using Shapes = std::vector<std::uint32_t>; // those that cover a region, ascending
-
-// --- which shapes cover the regions on both sides of each edge -----------------------------------
-
-// One sweep from left to right over edges that meet at ends only (compare contacts.cpp).
-class Coverage {
-public:
-    Coverage(const NodedShapes& noded) : points_(noded.points), edges_(noded.edges) {
-        right_.resize(edges_.size());
-        left_.resize(edges_.size());
-    }
-
-    // Points are numbered from left to right, and edges run so: what is on their left lies above.
-    void run() {
-        std::vector<std::array<std::uint32_t, 3>> events; // point, begins, edge
-        for (std::uint32_t e = 0; e < edges_.size(); ++e) {
-            events.push_back({edges_[e].from, 1, e});
-            events.push_back({edges_[e].to, 0, e});
-        }
-        std::ranges::sort(events);
-        const auto below = [this](std::uint32_t s, std::uint32_t t) { return is_below(s, t); };
-        std::set<std::uint32_t, decltype(below)> status(below);
-        std::vector<decltype(status)::iterator> places(edges_.size());
-        for (std::size_t i = 0; i < events.size();) {
-            std::size_t after = i;
-            std::vector<std::uint32_t> begun;
-            for (; after < events.size() && events[after][0] == events[i][0]; ++after) {
-                const auto& [point, begins, e] = events[after];
-                if (begins == 0) {
-                    status.erase(places[e]);
-                } else {
-                    places[e] = status.insert(e).first;
-                    begun.push_back(e);
-                }
-            }
-            std::ranges::sort(begun, below);
-            for (const std::uint32_t e : begun) {
-                const auto place = places[e];
-                right_[e] = place == status.begin() ? Shapes{} : left_[*std::prev(place)];
-                std::ranges::set_symmetric_difference(right_[e], edges_[e].shapes,
-                                                      std::back_inserter(left_[e]));
-            }
-            i = after;
-        }
-    }
-
-    [[nodiscard]] const Shapes& left(std::uint32_t e) const { return left_[e]; }
-    [[nodiscard]] const Shapes& right(std::uint32_t e) const { return right_[e]; }
-
-private:
-    [[nodiscard]] int side(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-        return orientation<double>(points_[a], points_[b], points_[c]);
-    }
-    [[nodiscard]] bool is_below(std::uint32_t s, std::uint32_t t) const {
-        if (s == t) {
-            return false;
-        }
-        const NodedEdge& one = edges_[s];
-        const NodedEdge& other = edges_[t];
-        if (one.from == other.from) {
-            return side(other.from, other.to, one.to) < 0;
-        }
-        return other.from < one.from ? side(other.from, other.to, one.from) < 0
-                                     : side(one.from, one.to, other.from) > 0;
-    }
-
-    const Points& points_;
-    const std::vector<NodedEdge>& edges_;
-    std::vector<Shapes> left_;
-    std::vector<Shapes> right_;
-};
-
-// --- phases
-// ---------------------------------------------------------------------------------------
-
-// The phase of each region: that of the innermost shape, by the even-odd rule among shapes of one
-// phase.
-class Phases {
-public:
-    Phases(std::span<const Shape> shapes, const NodedShapes& noded, const Coverage& coverage)
-        : shapes_(shapes), sides_of_(shapes.size(), 0) {
-        for (std::uint32_t e = 0; e < noded.edges.size(); ++e) {
-            const Point<double> middle =
-                midpoint(noded.points[noded.edges[e].from], noded.points[noded.edges[e].to]);
-            count(coverage.left(e), middle);
-            count(coverage.right(e), middle);
-        }
-        for (const auto& [pair, common] : common_) {
-            if (common.sides < std::min(sides_of_[pair.first], sides_of_[pair.second])) {
-                refuse(pair.first, pair.second);
-            }
-        }
-    }
-
-    // Of a region that these shapes cover.
-    [[nodiscard]] Phase of(Shapes covering) const {
-        std::ranges::sort(covering, [this](std::uint32_t a, std::uint32_t b) {
-            return std::pair(sides_of_[b], a) < std::pair(sides_of_[a], b); // the outermost first
-        });
-        std::vector<Phase> around;
-        for (std::size_t i = 0; i < covering.size(); ++i) {
-            const auto is_around = [&](std::uint32_t k) {
-                return !around.empty() && around.back() == shapes_[k].phase;
-            };
-            // Of two shapes with one region, one may be the hole that the other fills.
-            if (i + 1 < covering.size() && !is_around(covering[i]) &&
-                sides_of_[covering[i]] == sides_of_[covering[i + 1]]) {
-                if (!is_around(covering[i + 1])) {
-                    refuse(covering[i], covering[i + 1]);
-                }
-                std::swap(covering[i], covering[i + 1]);
-            }
-            const std::uint32_t k = covering[i];
-            const Phase phase = shapes_[k].phase;
-            if (!around.empty() && around.back() == phase) {
-                around.pop_back();
-            } else {
-                around.push_back(phase);
-            }
-        }
-        return around.empty() ? exterior_phase : around.back();
-    }
-
-private:
-    struct Common {
-        std::size_t sides = 0; // of edges that both cover
-        Point<double> place{0, 0};
-    };
-
-    [[noreturn]] void refuse(std::uint32_t one, std::uint32_t other) const {
-        const auto [first, second] = std::pair(std::min(one, other), std::max(one, other));
-        throw InputError({.what = "two shapes overlap",
-                          .where = name_of(shapes_, second),
-                          .value = "common area with " + name_of(shapes_, first) + " at " +
-                                   to_text(common_.at({first, second}).place),
-                          .allowed = "shapes side by side, or one inside the other; a larger "
-                                     "border_tolerance joins borders that are near each other"});
-    }
-
-    void count(const Shapes& covering, const Point<double>& middle) {
-        for (std::size_t i = 0; i < covering.size(); ++i) {
-            ++sides_of_[covering[i]];
-            for (std::size_t j = i + 1; j < covering.size(); ++j) {
-                Common& common = common_[{covering[i], covering[j]}];
-                ++common.sides;
-                common.place = middle;
-            }
-        }
-    }
-
-    std::span<const Shape> shapes_;
-    std::vector<std::size_t> sides_of_; // by shape: of edges that it covers
-    std::map<std::pair<std::uint32_t, std::uint32_t>, Common> common_;
-};
 
 // --- curves
 // ---------------------------------------------------------------------------------------
@@ -274,6 +122,17 @@ void add_loop(std::span<const Point<double>> points, std::uint32_t shape, const 
     }
 }
 
+// The sides of the domain, which bound gaps like a shape does.
+Loop domain_loop(const Lattice& lattice, std::size_t shape) {
+    const auto& [low, high] = std::pair(lattice.low, lattice.high);
+    Loop loop;
+    loop.shape = static_cast<std::uint32_t>(shape);
+    loop.name = "the domain";
+    loop.points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+    loop.numbers = {0, 1, 2, 3};
+    return loop;
+}
+
 bool holds(const Points& polygon, const Point<double>& p) {
     bool inside = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -362,15 +221,20 @@ std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Latt
         return is_line;
     });
     const Point<double> first = loops.empty() ? lattice.low : loops.front().points.front();
-    const NodedShapes noded =
-        node_shapes<Real>(loops, lattice, options.border_tolerance * options.edge_length);
-    if (loops.empty() && noded.clipped > 0) {
+    const bool is_open = options.coverage == Coverage::open;
+    if (!is_open && !loops.empty()) {
+        loops.push_back(domain_loop(lattice, shapes.size()));
+    }
+    const NodedShapes noded = node_shapes<Real>(
+        loops, lattice, options.border_tolerance * options.edge_length,
+        options.coverage == Coverage::first || options.coverage == Coverage::longest_border);
+    if (loops.size() == (is_open ? 0U : 1U) && noded.clipped > 0) {
         throw InputError({.what = "all shapes lie outside the domain",
                           .where = name_of(shapes, 0),
                           .value = to_text(first),
                           .allowed = to_text(lattice.low) + " to " + to_text(lattice.high)});
     }
-    if (is_plain && noded.is_as_given && !has_holes(shapes, loops)) {
+    if (is_plain && noded.is_as_given && is_open && !has_holes(shapes, loops)) {
         return std::nullopt;
     }
     for (const Shape& shape : shapes) {
@@ -382,24 +246,25 @@ std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Latt
     for (const Loop& loop : small) {
         (void)is_dropped(loop.points, loop.name, options, report);
     }
-    Coverage coverage(noded);
-    coverage.run();
-    const Phases phases(shapes, noded, coverage);
+    const std::vector<std::array<Phase, 2>> phases = phases_beside(noded, shapes, options);
     ShapeNetwork network;
     std::vector<Border> borders;
     for (std::uint32_t e = 0; e < noded.edges.size(); ++e) {
         const NodedEdge& edge = noded.edges[e];
-        const Phase left = phases.of(coverage.left(e));
-        const Phase right = phases.of(coverage.right(e));
+        const auto [left, right] = phases[e];
         if (!is_along_side(lattice, noded.points[edge.from], noded.points[edge.to])) {
             if (left != right) {
                 borders.push_back({edge.from, edge.to, left, right});
             }
-        } else if (!coverage.left(e).empty() || !coverage.right(e).empty()) {
-            network.background = coverage.left(e).empty() ? right : left;
+        } else if (left != right) { // outside is the exterior phase
+            network.background = left == exterior_phase ? right : left;
         }
     }
     network.lines = std::move(Curves(noded.points, std::move(borders), lattice).lines);
+    if (options.detail == Detail::thin) {
+        contract_short_lines<Real>(network.lines, lattice,
+                                   finest_on_interface(options.sizes, options.edge_length), report);
+    }
     drop_small_loops(network.lines, options, report);
     return network;
 }
