@@ -224,6 +224,11 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
     return shape;
 }
 
+MarkerOptions markers_for(const ParametricCurve& curve, double edge_length) {
+    const double length = edge_length / std::sqrt(curve.area);
+    return {.spacing = 0.05 * length, .deviation = 2e-4 * length * length};
+}
+
 ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const FlowMap& rough,
                         const MarkerOptions& options) {
     const double unit = std::sqrt(curve.area);

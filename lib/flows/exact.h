@@ -28,6 +28,10 @@ struct MarkerOptions {
     double deviation = 5e-8; ///< largest distance of the curve from a chord
 };
 
+/// Markers for a mesh whose interface edges have this length: `own_error` is about a thousandth of
+/// what the chords of the edges miss.
+[[nodiscard]] MarkerOptions markers_for(const ParametricCurve& curve, double edge_length);
+
 /// The image of a curve under an area-preserving map. Where markers come to lie too far apart, or
 /// turn too much, more points *of the curve* are mapped, so that there is no error of insertion.
 /// Finally, vertices are pushed out by the mean distance of the curve from its chords, which makes

@@ -2,6 +2,7 @@
 // Velocity fields against their definitions, and exact shapes against closed forms, known lengths
 // and their own statements of error.
 #include "dsc/base/error.h"
+#include "dsc/geometry/points.h"
 #include "flows/exact.h"
 #include "flows/sine_cosine.h"
 #include "measures/symmetric_difference.h"
@@ -220,6 +221,26 @@ TEST_P(FarthestOut, IsKnownToItsOwnError) {
 INSTANTIATE_TEST_SUITE_P(Swirls, FarthestOut,
                          testing::Values(Swirled{2, 1, 1e-8}, Swirled{8, 4, 3e-8},
                                          Swirled{0, 2.6, 3e-8}, Swirled{0, 4.2, 1e-7}));
+
+TEST(Exact, MarkersForAMeshMissAThousandthOfWhatItsEdgesDo) {
+    const ParametricCurve curve = circle_curve({0.5, 0.75}, 0.15);
+    const Flow flow = steady(Swirl{});
+    const ExactShape finest = advected_shape(curve, flow, 1.3);
+    double turned = 0.0;
+    for (std::size_t i = 0; i < finest.outlines.front().size(); ++i) {
+        const auto at = [&](std::size_t k) {
+            return finest.outlines.front()[k % finest.outlines.front().size()];
+        };
+        turned += std::abs(turn_angle<double>(at(i), at(i + 1), at(i + 2)));
+    }
+    for (const double h : {0.04, 0.02, 0.01}) {
+        const ExactShape shape = advected_shape(curve, flow, 1.3, markers_for(curve, h));
+        const double chords = h * h * turned / 12; // of a polygon whose vertices lie on the curve
+        EXPECT_LT(symmetric_difference(shape.outlines, finest.outlines), 1e-3 * chords) << h;
+        EXPECT_LT(shape.own_error, 2e-3 * chords) << h;
+        EXPECT_GT(shape.own_error, 1e-4 * chords) << h; // none are there for nothing
+    }
+}
 
 TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
     const Vortex field{{0, 0}, 1.0};

@@ -137,9 +137,10 @@ template <class Real, class Joined>
             same_as.push_back(number);
         }
         const auto is_same = [&](std::uint32_t i) {
-            return (before[i] == number) | (before[i] == no_id);
+            return static_cast<unsigned>(before[i] == number) |
+                   static_cast<unsigned>(before[i] == no_id);
         };
-        if (!(is_same(0) & is_same(1) & is_same(2))) [[unlikely]] {
+        if ((is_same(0) & is_same(1) & is_same(2)) == 0) [[unlikely]] {
             for (const std::uint32_t other : before) {
                 if (other != no_id) {
                     const auto [low, high] = std::minmax({smallest(other), smallest(number)});

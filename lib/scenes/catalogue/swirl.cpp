@@ -21,8 +21,9 @@ Setup swirl_one_way(const Parameters& p) {
     setup.flow = steady(Swirl{});
     setup.dt = p.dt;
     setup.steps = p.steps;
-    setup.exact = [flow = setup.flow](double t) {
-        return advected_shape(slotted_disc_curve({}), flow, t);
+    setup.exact = [flow = setup.flow, h = p.h](double t) {
+        const ParametricCurve curve = slotted_disc_curve({});
+        return advected_shape(curve, flow, t, markers_for(curve, h));
     };
     return setup;
 }
@@ -34,10 +35,11 @@ Setup reversing_vortex(const Parameters& p) {
     if (setup.steps % 2 == 0 && std::abs(setup.steps * setup.dt - p.period) < 1e-9 * p.period) {
         setup.half_step = setup.steps / 2;
     }
-    setup.exact = [flow = setup.flow, period = p.period](double t) {
+    setup.exact = [flow = setup.flow, period = p.period, h = p.h](double t) {
         const ParametricCurve curve = circle_curve(centre(), disc_radius);
-        return std::abs(t - period) < 1e-9 * period ? unmoved_shape(curve)
-                                                    : advected_shape(curve, flow, t);
+        return std::abs(t - period) < 1e-9 * period
+                   ? unmoved_shape(curve)
+                   : advected_shape(curve, flow, t, markers_for(curve, h));
     };
     return setup;
 }

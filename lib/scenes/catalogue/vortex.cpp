@@ -20,9 +20,10 @@ Scene there_and_back_scene(Scene about, double h, double dt, int steps, const Ve
         setup.half_step = p.steps;
         const double half = p.steps * p.dt;
         setup.flow = there_and_back(velocity, half);
-        setup.exact = [curve, flow = setup.flow, half](double t) {
-            return std::abs(t - 2 * half) < 1e-9 * half ? unmoved_shape(curve)
-                                                        : advected_shape(curve, flow, t);
+        setup.exact = [curve, flow = setup.flow, half, h = p.h](double t) {
+            return std::abs(t - 2 * half) < 1e-9 * half
+                       ? unmoved_shape(curve)
+                       : advected_shape(curve, flow, t, markers_for(curve, h));
         };
         return setup;
     };

@@ -111,7 +111,7 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         setup.sizes = parts.sizes(p);
     }
     if (parts.exact) {
-        set_exact(*parts.exact, parts.shapes, p.period, setup);
+        set_exact(*parts.exact, parts.shapes, p.period, p.h, setup);
     }
     if (!parts.is_measured || !(parts.exact || parts.has_shape_and_motion_of_base())) {
         setup.exact = {};

@@ -259,7 +259,7 @@ void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setu
 }
 
 void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
-               Setup& setup) {
+               double edge_length, Setup& setup) {
     if (exact.is_carried ? setup.flow.empty() : !(period > 0)) {
         throw InputError(
             {.what = exact.is_carried ? "exact shapes can be carried only by a [flow]"
@@ -268,7 +268,7 @@ void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes,
              .value = "true",
              .allowed = exact.is_carried ? "with a [flow]" : "with a period above 0 in [options]"});
     }
-    setup.exact = [first = first_shapes(shapes, setup), flow = setup.flow, period,
+    setup.exact = [first = first_shapes(shapes, setup), flow = setup.flow, period, edge_length,
                    is_carried = exact.is_carried](double time) {
         const bool is_first =
             time == 0 ||
@@ -280,7 +280,9 @@ void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes,
         }
         // Holes run clockwise, and their area is taken away.
         for (const auto& [curve, is_hole] : first) {
-            ExactShape one = is_first ? unmoved_shape(curve) : advected_shape(curve, flow, time);
+            ExactShape one =
+                is_first ? unmoved_shape(curve)
+                         : advected_shape(curve, flow, time, markers_for(curve, edge_length));
             all.area += is_hole ? -one.area : one.area;
             all.own_error += one.own_error;
             for (Outline& outline : one.outlines) {

@@ -61,6 +61,6 @@ void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setu
 /// Fills in `exact`, where shapes and flow are known. Throws InputError for shapes of several
 /// phases, and for a setup without the flow or the period.
 void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
-               Setup& setup);
+               double edge_length, Setup& setup);
 
 } // namespace dsc::scenes
