@@ -93,8 +93,8 @@ MeshQuality QualityWatch<Real>::look() {
             }
         }
         std::ranges::sort(worst.inverted);
-        const auto repeated = std::ranges::unique(worst.inverted);
-        worst.inverted.erase(repeated.begin(), repeated.end());
+        worst.inverted.erase(std::unique(worst.inverted.begin(), worst.inverted.end()),
+                             worst.inverted.end());
     } else {
         worst.look_at_all();
     }

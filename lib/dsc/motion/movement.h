@@ -66,8 +66,8 @@ inline constexpr int arrival_units = 8;
 template <class Real>
 bool is_at(const Point<Real>& position, const Point<Real>& target, Real edge_length) {
     const Real scale = std::max(target.cwiseAbs().maxCoeff(), edge_length);
-    const Real rounding = arrival_units * std::numeric_limits<Real>::epsilon() * scale;
-    return (target - position).cwiseAbs().maxCoeff() <= rounding;
+    const Real unit = arrival_units * std::numeric_limits<Real>::epsilon() * scale;
+    return (target - position).cwiseAbs().maxCoeff() <= unit;
 }
 
 /// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).

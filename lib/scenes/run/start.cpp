@@ -10,8 +10,6 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double most_edges_of_side = 1e5;
-
 // Locks the vertices at which an interface edge ends on the domain boundary.
 template <class Real>
 void clamp_ends(Complex<Real>& complex) {
@@ -44,8 +42,7 @@ SizeOptions<double> sizes_of(const Setup& setup, const Parameters& parameters) {
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters, InputReport* report) {
     const double edges = (setup.domain.high - setup.domain.low).maxCoeff() / parameters.h;
-    require(edges <= most_edges_of_side, "h", parameters.h,
-            "at most 100000 edges along a side of the domain");
+    require(edges <= 1e5, "h", parameters.h, "at most 100000 edges along a side of the domain");
     InitialOptions options;
     options.edge_length = parameters.h;
     options.detail = parameters.detail;
