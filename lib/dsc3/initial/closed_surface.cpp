@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc3/geometry/predicates.h"
 #include "dsc3/geometry/tet.h"
-#include "dsc3/initial/shapes.h"
+#include "dsc3/initial/box_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,6 @@ namespace dsc3 {
 
 namespace {
 
-using Triangle3 = std::array<std::uint32_t, 3>;
-
-constexpr std::uint32_t leaf_size = 4;
-
 [[noreturn]] void refuse(const TriangleSurface& surface, const char* what, const std::string& where,
                          const std::string& value, const char* allowed) {
     throw InputError({.what = what,
@@ -25,107 +21,6 @@ constexpr std::uint32_t leaf_size = 4;
                       .value = value,
                       .allowed = allowed});
 }
-
-Box box_of(const TriangleSurface& surface, const Triangle3& t) {
-    const Point& a = surface.points[t[0]];
-    const Point& b = surface.points[t[1]];
-    const Point& c = surface.points[t[2]];
-    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-}
-
-Real squared_distance_to(const Box& box, const Point& p) {
-    return (box.low - p).cwiseMax(p - box.high).cwiseMax(0).squaredNorm();
-}
-
-bool overlap(const Box& a, const Box& b) {
-    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
-}
-
-// A tree of boxes around triangles. Children follow their parent: the first directly.
-class BoxTree {
-public:
-    explicit BoxTree(const TriangleSurface& surface) : surface_(surface) {
-        order_.resize(surface.triangles.size());
-        std::iota(order_.begin(), order_.end(), 0U);
-        build(0, static_cast<std::uint32_t>(order_.size()));
-    }
-
-    // Calls `visit(triangle)` for all whose box may matter: `is_near(box)` says so.
-    template <class IsNear, class Visit>
-    void search(IsNear is_near, Visit visit, std::uint32_t node = 0) const {
-        const Node& here = nodes_[node];
-        if (!is_near(here.box)) {
-            return;
-        }
-        if (here.second == 0) {
-            for (std::uint32_t i = here.begin; i < here.end; ++i) {
-                visit(order_[i]);
-            }
-            return;
-        }
-        search(is_near, visit, node + 1);
-        search(is_near, visit, here.second);
-    }
-
-    // The same for a search for what is nearest to p: the nearer child comes first.
-    template <class IsNear, class Visit>
-    void search_from(const Point& p, IsNear is_near, Visit visit, std::uint32_t node = 0) const {
-        const Node& here = nodes_[node];
-        if (!is_near(here.box)) {
-            return;
-        }
-        if (here.second == 0) {
-            for (std::uint32_t i = here.begin; i < here.end; ++i) {
-                visit(order_[i]);
-            }
-            return;
-        }
-        const bool is_first = squared_distance_to(nodes_[node + 1].box, p) <=
-                              squared_distance_to(nodes_[here.second].box, p);
-        search_from(p, is_near, visit, is_first ? node + 1 : here.second);
-        search_from(p, is_near, visit, is_first ? here.second : node + 1);
-    }
-
-private:
-    struct Node {
-        Box box;
-        std::uint32_t begin = 0;
-        std::uint32_t end = 0;
-        std::uint32_t second = 0; ///< child; 0: a leaf
-    };
-
-    void build(std::uint32_t begin, std::uint32_t end) {
-        const auto node = static_cast<std::uint32_t>(nodes_.size());
-        Box box{Point::Constant(std::numeric_limits<Real>::infinity()),
-                Point::Constant(-std::numeric_limits<Real>::infinity())};
-        for (std::uint32_t i = begin; i < end; ++i) {
-            const Box one = box_of(surface_, surface_.triangles[order_[i]]);
-            box = {box.low.cwiseMin(one.low), box.high.cwiseMax(one.high)};
-        }
-        nodes_.push_back({box, begin, end, 0});
-        if (end - begin <= leaf_size) {
-            return;
-        }
-        Eigen::Index axis = 0;
-        (box.high - box.low).maxCoeff(&axis);
-        const auto place = [&](std::uint32_t t) {
-            const auto& [a, b, c] = surface_.triangles[t];
-            return surface_.points[a][axis] + surface_.points[b][axis] + surface_.points[c][axis];
-        };
-        const std::uint32_t middle = begin + (end - begin) / 2;
-        std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                         [&](std::uint32_t s, std::uint32_t t) {
-                             return place(s) != place(t) ? place(s) < place(t) : s < t;
-                         });
-        build(begin, middle);
-        nodes_[node].second = static_cast<std::uint32_t>(nodes_.size());
-        build(middle, end);
-    }
-
-    const TriangleSurface& surface_;
-    std::vector<std::uint32_t> order_;
-    std::vector<Node> nodes_;
-};
 
 // The edge from corner k of a triangle to the next.
 struct Side {
@@ -159,16 +54,18 @@ public:
     [[nodiscard]] Real operator()(const Point& p) const {
         Real best = std::numeric_limits<Real>::infinity();
         Real side = 0;
-        tree_->search_from(
-            p, [&](const Box& box) { return squared_distance_to(box, p) < best; },
-            [&](std::uint32_t t) {
-                const Foot foot = nearest(t, p);
-                const Point way = p - foot.place;
-                if (const Real square = way.squaredNorm(); square < best) {
-                    best = square;
-                    side = way.dot(normal_at(t, foot));
-                }
-            });
+        tree_->search([&](const Box& box) { return squared_distance_to(box, p) < best; },
+                      [&](const Box& one, const Box& other) { // the nearer one comes first
+                          return squared_distance_to(one, p) <= squared_distance_to(other, p);
+                      },
+                      [&](std::uint32_t t) {
+                          const Foot foot = nearest(t, p);
+                          const Point way = p - foot.place;
+                          if (const Real square = way.squaredNorm(); square < best) {
+                              best = square;
+                              side = way.dot(normal_at(t, foot));
+                          }
+                      });
         return side < 0 ? -std::sqrt(best) : std::sqrt(best);
     }
 
@@ -297,6 +194,7 @@ private:
         for (std::uint32_t s = 0; s < surface_.triangles.size(); ++s) {
             const Box box = box_of(surface_, surface_.triangles[s]);
             tree_->search([&](const Box& other) { return overlap(other, box); },
+                          [](const Box&, const Box&) { return true; },
                           [&](std::uint32_t t) {
                               if (t != s) {
                                   expect_apart(s, t);

@@ -203,15 +203,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         file.scene.defaults.h = 0;
         file.scene.defaults.dt = 0;
     }
-    if (top.has("options")) {
-        read_options(top.table("options"), file.scene.keys, file.scene.defaults);
-    }
-    if (!(file.scene.defaults.h > 0)) {
-        throw InputError({.what = "key missing",
-                          .where = path.string() + ": [options]",
-                          .value = "no h",
-                          .allowed = "the length of edges, such as h = 0.02"});
-    }
+    read_options(top, file.scene.keys, file.scene.defaults);
     read_geometry(top, parts);
     for (const char* kind : {"shape", "curve"}) {
         for (const TableReader& source : top.tables(kind)) {

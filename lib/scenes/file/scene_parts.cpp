@@ -204,13 +204,22 @@ ExactSource read_exact(const TableReader& reader) {
     return {kind == "carried", reader.where(kind)};
 }
 
-void read_options(const TableReader& reader, const std::vector<std::string>& keys,
+void read_options(const TableReader& top, const std::vector<std::string>& keys,
                   Parameters& parameters) {
-    reader.allow(keys);
-    for (const Key& key : parameter_keys()) {
-        if (reader.has(key.name) && !key.parse(parameters, reader.setting(key.name))) {
-            reader.refuse(key.name, "bad value", key.allowed);
+    if (top.has("options")) {
+        const TableReader options = top.table("options");
+        options.allow(keys);
+        for (const Key& key : parameter_keys()) {
+            if (options.has(key.name) && !key.parse(parameters, options.setting(key.name))) {
+                options.refuse(key.name, "bad value", key.allowed);
+            }
         }
+    }
+    if (!(parameters.h > 0)) {
+        throw InputError({.what = "key missing",
+                          .where = top.file().string() + ": [options]",
+                          .value = "no h",
+                          .allowed = "the length of edges, such as h = 0.02"});
     }
 }
 

@@ -47,8 +47,9 @@ struct ExactSource {
 /// A [sizes], given the parameters: their h is the shortest target.
 [[nodiscard]] std::function<SizeOptions<double>(const Parameters& parameters)>
 read_sizes(const TableReader& reader);
-/// Sets the parameters that the table names; `keys` are those that it may.
-void read_options(const TableReader& reader, const std::vector<std::string>& keys,
+/// Sets the parameters that the table [options] of a scene file names; `keys` are the ones that may
+/// stand there. Throws InputError if the file gives no edge length and neither does its scene.
+void read_options(const TableReader& top, const std::vector<std::string>& keys,
                   Parameters& parameters);
 
 /// Throws InputError for a scene of the catalogue with so many grains that preparing it takes long.

@@ -221,15 +221,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         file.scene.defaults.dt = 0;
     }
     file.scene.name = read_name(top);
-    if (top.has("options")) {
-        read_options(top.table("options"), file.scene.keys, file.scene.defaults);
-    }
-    if (!(file.scene.defaults.h > 0)) {
-        throw InputError({.what = "key missing",
-                          .where = path.string() + ": [options]",
-                          .value = "no h",
-                          .allowed = "the length of interface edges, such as h = 0.05"});
-    }
+    read_options(top, file.scene.keys, file.scene.defaults);
     if (top.has("domain")) {
         parts.domain = domain_of(top.table("domain"));
     }

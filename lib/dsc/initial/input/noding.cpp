@@ -5,6 +5,7 @@
 #include "dsc/geometry/contacts.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/input/clipping.h"
 #include "dsc/initial/rounding.h"
 
 #include <algorithm>
@@ -21,92 +22,6 @@
 namespace dsc::initial {
 
 namespace {
-
-bool is_left_of(const Point<double>& a, const Point<double>& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-}
-
-// --- the sides of the domain ---------------------------------------------------------------------
-
-// The half plane on one side of an upright or a level line.
-struct Side {
-    int axis;
-    double place;
-    bool is_low; // the domain lies above it
-
-    [[nodiscard]] double distance(const Point<double>& p) const {
-        return is_low ? p[axis] - place : place - p[axis];
-    }
-};
-
-std::array<Side, 4> sides_of(const Lattice& lattice) {
-    return {{{0, lattice.low.x(), true},
-             {0, lattice.high.x(), false},
-             {1, lattice.low.y(), true},
-             {1, lattice.high.y(), false}}};
-}
-
-// Where an edge meets a side; the same for both of its ways.
-template <class Real>
-Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
-    if (is_left_of(b, a)) {
-        std::swap(a, b);
-    }
-    const double share = (side.place - a[side.axis]) / (b[side.axis] - a[side.axis]);
-    Point<double> p = rounded<Real>(Point<double>(a + share * (b - a)));
-    p[side.axis] = side.place;
-    return p;
-}
-
-// What lies on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant polygon
-// clipping", 1974). Edges along the line that belong to no part of the shape are there twice.
-template <class Real>
-void clip(Loop& loop, const Side& side) {
-    Loop result;
-    const std::size_t count = loop.points.size();
-    const auto add = [&](const Point<double>& p, std::uint32_t number) {
-        if (result.points.empty() || result.points.back() != p) {
-            result.points.push_back(p);
-            result.numbers.push_back(number);
-        }
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        const Point<double>& a = loop.points[i];
-        const Point<double>& b = loop.points[i + 1 == count ? 0 : i + 1];
-        const double before = side.distance(a);
-        const double after = side.distance(b);
-        if (before >= 0) {
-            add(a, loop.numbers[i]);
-        }
-        if ((before < 0 && after > 0) || (before > 0 && after < 0)) {
-            add(crossing<Real>(side, a, b), loop.numbers[i]);
-        }
-    }
-    while (result.points.size() > 1 && result.points.front() == result.points.back()) {
-        result.points.pop_back();
-        result.numbers.pop_back();
-    }
-    loop.points.swap(result.points);
-    loop.numbers.swap(result.numbers);
-}
-
-// Of its points from a side; negative beyond it.
-double least_distance(const Loop& loop, const Side& side) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Point<double>& p : loop.points) {
-        least = std::min(least, side.distance(p));
-    }
-    return least;
-}
-
-// Points hardly beside a side are moved onto it.
-void move_to_side(Loop& loop, const Side& side, double tolerance) {
-    for (Point<double>& p : loop.points) {
-        if (std::abs(side.distance(p)) < tolerance) {
-            p[side.axis] = side.place;
-        }
-    }
-}
 
 // --- points and edges ----------------------------------------------------------------------------
 
@@ -334,8 +249,7 @@ private:
     }
 
     [[nodiscard]] bool is_on_side(const Point<double>& p) const {
-        return std::ranges::any_of(sides_of(lattice_),
-                                   [&](const Side& side) { return side.distance(p) == 0; });
+        return is_along_side(lattice_, p, p);
     }
 
     // The points to be put into an edge of a loop, in their order along it.
@@ -422,35 +336,11 @@ private:
 
 } // namespace
 
-bool is_along_side(const Lattice& lattice, const Point<double>& a, const Point<double>& b) {
-    return std::ranges::any_of(sides_of(lattice), [&](const Side& side) {
-        return side.distance(a) == 0 && side.distance(b) == 0;
-    });
-}
-
 template <class Real>
 NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance,
                         bool may_cross) {
     std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
-    std::size_t clipped = 0;
-    bool is_inside = true;
-    for (Loop& loop : loops) {
-        bool is_clipped = false;
-        for (const Side& side : sides_of(lattice)) {
-            const double nearest = least_distance(loop, side);
-            if (nearest < tolerance) {
-                is_inside = false;
-                move_to_side(loop, side, tolerance);
-                is_clipped = is_clipped || nearest <= -tolerance;
-                clip<Real>(loop, side);
-            }
-            if (loop.points.empty()) {
-                break;
-            }
-        }
-        clipped += is_clipped ? 1 : 0;
-    }
-    std::erase_if(loops, [](const Loop& loop) { return loop.points.size() < 3; });
+    const Clipped clipped = clip_to_domain<Real>(loops, lattice, tolerance);
     std::optional<Noding> noding;
     // Edges that were joined may come to cross others, which takes a round or two.
     for (int rounds = 8;; --rounds) {
@@ -464,8 +354,8 @@ NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double
         loops.swap(*crossed);
     }
     NodedShapes result = noding->result();
-    result.clipped = clipped;
-    result.is_as_given = result.is_as_given && is_inside;
+    result.clipped = clipped.loops;
+    result.is_as_given = result.is_as_given && !clipped.is_at_side;
     return result;
 }
 

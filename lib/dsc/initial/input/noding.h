@@ -3,8 +3,7 @@
 // sides of the domain, points within a tolerance of another shape's border become part of it.
 #pragma once
 
-#include "dsc/initial/build/lattice.h"
-#include "dsc/initial/initial_complex.h"
+#include "dsc/initial/input/clipping.h"
 
 #include <cstdint>
 #include <span>
@@ -12,14 +11,6 @@
 #include <vector>
 
 namespace dsc::initial {
-
-/// An outline or a hole of a shape; the first point is not repeated.
-struct Loop {
-    std::uint32_t shape = 0;
-    std::string name;                   ///< in messages
-    std::vector<Point<double>> points;  ///< representable in the scalar
-    std::vector<std::uint32_t> numbers; ///< of these points, as the caller counts them
-};
 
 /// An edge between two points, the smaller number first.
 struct NodedEdge {
@@ -36,10 +27,6 @@ struct NodedShapes {
     std::size_t clipped = 0;  ///< loops that were cut at the sides
     bool is_as_given = false; ///< nothing was clipped or joined, and nothing touches
 };
-
-/// Whether the edge between two points lies on a side of the domain.
-[[nodiscard]] bool is_along_side(const Lattice& lattice, const Point<double>& a,
-                                 const Point<double>& b);
 
 /// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross,
 /// unless they are of different shapes and `may_cross`: then they meet there.
