@@ -112,7 +112,7 @@ def section(out):
     if not path.is_file() or not results:
         return ""
     results.sort(key=lambda one: -one["parameters"]["h"])
-    rows = [[f"1/{1 / one['parameters']['h']:.0f}", f"{one['interface_vertices_most']:,}",
+    rows = [[f"1/{1 / one['parameters']['h']:.0f}", f"{one['interface_vertices_max']:,}",
              f"{100 * one['sd_rel_last']:.3f} %", f"{100 * one['sd_rel_half']:.2f} %",
              f"{100 * abs(one['volume_ratio'] - 1):.3f} %",
              f"{one['vertex_error_rms'] / one['parameters']['h']:.3f} h",

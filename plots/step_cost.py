@@ -6,7 +6,7 @@ touches only what changed grows with the interface, one that sweeps the mesh wit
 step_cost.py FILE.json... --out PICTURE.pdf
 
 The files are results of dsc_bench with rows NAME_step; modelled ones stay out. With rows operation/NAME
-and kernel/gather_ring, a dash shows what the stars and edits of a step take by themselves.
+and kernel/gather_star, a dash shows what the stars and edits of a step take by themselves.
 """
 import math
 import statistics
@@ -21,9 +21,9 @@ GUIDES = ((1.0, "grows with the mesh", "-"), (0.5, "grows with its square root",
 PEER_SCENES = {"scaling_step": "speedup-scaling", "four_circles_step": "speedup-four-circles",
                "swirl_step": "swirl"}
 DOUBTFUL = "oversubscribed or under load"
-# What a step counts; the row that times one of them by itself, and its items for one: gather_ring counts
+# What a step counts; the row that times one of them by itself, and its items for one: gather_star counts
 # triangles, of which there are two for each vertex.
-PARTS = {"examined_per_step": ("kernel", "gather_ring", 2), "flips_per_step": ("operation", "edge_flip", 1),
+PARTS = {"examined_per_step": ("kernel", "gather_star", 2), "flips_per_step": ("operation", "edge_flip", 1),
          "splits_per_step": ("operation", "edge_split", 1),
          "collapses_per_step": ("operation", "edge_collapse", 1)}
 FLOOR = "bound, modelled: stars read once and edits alone"

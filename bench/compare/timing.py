@@ -68,7 +68,7 @@ class Pairs:
             for pairs in self.times.values())
 
 
-def measure(runs, most_pairs, most_seconds, say, source=None):
+def measure(runs, max_pairs, max_seconds, say, source=None):
     """{name: Pairs}. `runs`: {name: (run of base, run of new)}, functions that return {figure: time}. A
     name is left out of further pairs once all of its figures are decided; others have a pair in turn, in
     random order, until there are so many or so many seconds have gone."""
@@ -79,7 +79,7 @@ def measure(runs, most_pairs, most_seconds, say, source=None):
         base(), new()  # warms up the disk's cache
     left = list(runs)
     count = 0
-    while left and count < most_pairs:
+    while left and count < max_pairs:
         count += 1
         for name in source.sample(left, len(left)):
             times = [None, None]
@@ -89,6 +89,6 @@ def measure(runs, most_pairs, most_seconds, say, source=None):
         if count % AT_ONCE == 0:
             left = [name for name in left if not found[name].is_decided]
             say(f"{count} pairs; to go on with: {', '.join(left) or 'none'}")
-            if time.monotonic() - begin > most_seconds:
+            if time.monotonic() - begin > max_seconds:
                 break
     return found

@@ -33,7 +33,7 @@ Method of_time(scenes::IntegratorChoice integrator, const std::string& name) {
     Method method{.name = name, .group = Group::time, .settings = {{"integrator", name}}};
     if (integrator == scenes::IntegratorChoice::euler) {
         method.step = Method::Step::with_square;
-        method.most_lengths = 3; // a fourth takes longer than all other methods together
+        method.max_lengths = 3; // a fourth takes longer than all other methods together
     } else if (integrator == scenes::IntegratorChoice::adaptive) {
         method.settings.push_back({.key = "tolerance", .factor = 0.1, .power = 2});
         method.step_factor = 8;
@@ -82,7 +82,7 @@ std::vector<Method> make_methods() {
                       {"coarsening", "length"}}},
         {.name = "literal reference",
          .group = Group::other,
-         .most_lengths = 1,
+         .max_lengths = 1,
          .in_quick = false,
          .strategy = scenes::Strategy::reference},
 

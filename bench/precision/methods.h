@@ -44,10 +44,10 @@ struct Method {
     enum class Step : unsigned char { with_length, with_square } step = Step::with_length;
     /// Factor on the flow's own step, for a method that chooses its steps below this bound.
     double step_factor = 1;
-    std::size_t most_lengths = 99; ///< edge lengths at most, from the coarsest: for slow methods
-    bool to_the_last = false;      ///< also the edge lengths that are too slow for most
-    bool in_quick = true;          ///< also run by --quick
-    bool reads_curves = false;     ///< the interface is not its polygon
+    std::size_t max_lengths = 99; ///< edge lengths at most, from the coarsest: for slow methods
+    bool to_the_last = false;     ///< also the edge lengths that are too slow for most
+    bool in_quick = true;         ///< also run by --quick
+    bool reads_curves = false;    ///< the interface is not its polygon
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::optional<BareMarkers> markers{};
 };

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 // A single time below this is not reliable on any machine.
 constexpr double short_run_s = 0.3;
-constexpr int most_repetitions = 3;
+constexpr int max_repetitions = 3;
 
 // In all, or each way.
 int steps_of(const Case& item) {
@@ -72,7 +72,7 @@ CaseResult run_dsc(const Case& item, ExactShapes& shapes) {
     scenes::RunResult result = scenes::run_scene(scene, parameters, options);
     int repetitions = 1;
     double spent = result.cpu_s;
-    for (; repetitions < most_repetitions && spent < short_run_s; ++repetitions) {
+    for (; repetitions < max_repetitions && spent < short_run_s; ++repetitions) {
         const auto again = scenes::run_scene(without_exact_shape(scene), parameters, options);
         if (again.mesh_hash != result.mesh_hash) {
             throw InvariantError(file_name(item) + ": two runs ended in different meshes");
@@ -92,7 +92,7 @@ CaseResult run_bare(const Case& item, ExactShapes& shapes) {
     MarkerResult result = run_markers(setup, parameters.h, *item.method->markers);
     int repetitions = 1;
     double spent = result.cpu_s;
-    for (; repetitions < most_repetitions && spent < short_run_s; ++repetitions) {
+    for (; repetitions < max_repetitions && spent < short_run_s; ++repetitions) {
         const auto again = run_markers(setup, parameters.h, *item.method->markers);
         spent += again.cpu_s;
         result.cpu_s = std::min(result.cpu_s, again.cpu_s);
@@ -121,7 +121,7 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
             }
             const bool all = !flow->last_by_few || method->to_the_last;
             const std::size_t count =
-                std::min({flow->lengths.size() - (all ? 0 : 1), method->most_lengths,
+                std::min({flow->lengths.size() - (all ? 0 : 1), method->max_lengths,
                           quick ? flow->quick_lengths : std::size_t{99}});
             for (std::size_t i = 0; i < count; ++i) {
                 cases.push_back({flow, method, flow->lengths[i]});

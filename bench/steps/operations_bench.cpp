@@ -64,8 +64,8 @@ Complex<double> make_ground() {
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
         const double dx = offset();
         const double dy = offset();
-        const Fan fan = inspect(complex, Region{}, v);
-        if (!fan.on_boundary && fan.interface_edges == 0) {
+        const StarSummary summary = inspect(complex, Region{}, v);
+        if (!summary.on_boundary && summary.interface_edges == 0) {
             const Point<double> before = complex.position(Vertex{v});
             complex.set_position(Vertex{v}, before + Point<double>(dx, dy));
             if (!star_is_positive(complex, v)) {
@@ -273,11 +273,11 @@ void measure_kernel(benchmark::State& state, Run run, Check check) {
 
 // Every star once: three corners a triangle.
 std::uint64_t gather_all(const Complex<double>& complex) {
-    static Ring<double> ring;
+    static Star<double> star;
     std::uint64_t corners = 0;
     for (const Vertex v : vertices(complex)) {
-        if (gather(complex, Region{}, v.id, ring)) {
-            corners += ring.size;
+        if (gather(complex, Region{}, v.id, star)) {
+            corners += star.size;
         }
     }
     return corners;
@@ -301,7 +301,7 @@ void register_operations() {
 }
 
 void register_kernels() {
-    add("kernel/gather_ring", [](benchmark::State& state) {
+    add("kernel/gather_star", [](benchmark::State& state) {
         measure_kernel(state, gather_all, [](const auto& complex, std::uint64_t corners) {
             return corners == 3 * std::uint64_t{complex.triangle_count()};
         });

@@ -25,7 +25,7 @@ namespace {
 using scenes::Parameters;
 
 constexpr int rounds = 15;
-constexpr int most_steps = 200;
+constexpr int max_steps = 200;
 
 /// One of the two that are compared: its beginning, and what its steps have taken.
 class Side {
@@ -35,7 +35,7 @@ public:
           complex_(scenes::first_complex<double>(setup_, parameters)),
           options_(scenes::scene_options<double>(setup_, parameters)),
           topology_(scenes::topology_options<double>(parameters)),
-          least_(static_cast<std::size_t>(std::min(setup_.steps, most_steps)), 1e9) {}
+          min_(static_cast<std::size_t>(std::min(setup_.steps, max_steps)), 1e9) {}
 
     /// A run from the beginning. Throws InvariantError if a vertex does not arrive.
     void run() {
@@ -44,7 +44,7 @@ public:
         const auto simulation =
             scenes::make_simulation(complex, options_, topology_, scenes::Strategy::sequential, {});
         double sum = 0;
-        for (std::size_t step = 0; step < least_.size(); ++step) {
+        for (std::size_t step = 0; step < min_.size(); ++step) {
             const double time = static_cast<double>(step) * setup_.dt;
             const auto& velocity = scenes::velocity_of_step(setup_.flow, time, time + setup_.dt);
             const auto begin = Clock::now();
@@ -53,17 +53,15 @@ public:
             if (report.unreached > 0 || report.gave_up != GiveUp::none) {
                 throw InvariantError("a vertex did not arrive in step " + std::to_string(step));
             }
-            least_[step] = std::min(least_[step], seconds);
+            min_[step] = std::min(min_[step], seconds);
             sum += seconds;
         }
         sums_.push_back(sum);
         hash_ = mesh_hash(complex);
     }
     /// The least seconds of each step, summed.
-    [[nodiscard]] double least() const {
-        return std::accumulate(least_.begin(), least_.end(), 0.0);
-    }
-    [[nodiscard]] std::size_t steps() const { return least_.size(); }
+    [[nodiscard]] double least() const { return std::accumulate(min_.begin(), min_.end(), 0.0); }
+    [[nodiscard]] std::size_t steps() const { return min_.size(); }
     /// Seconds of each run.
     [[nodiscard]] const std::vector<double>& sums() const { return sums_; }
     [[nodiscard]] std::uint64_t hash() const { return hash_; }
@@ -73,7 +71,7 @@ private:
     Complex<double> complex_;
     Options<double> options_;
     TopologyOptions<double> topology_;
-    std::vector<double> least_;
+    std::vector<double> min_;
     std::vector<double> sums_;
     std::uint64_t hash_ = 0;
 };

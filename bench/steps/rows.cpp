@@ -20,7 +20,7 @@ using scenes::read_settings;
 using scenes::Strategy;
 
 constexpr double own_area_error = 0.01; ///< unless a case says otherwise
-constexpr int most_submeshes = 65536;
+constexpr int max_submeshes = 65536;
 
 // 0: chosen during the run.
 std::uint32_t submeshes_of(const SuiteCase& c, Strategy strategy, std::uint32_t threads) {
@@ -39,7 +39,7 @@ std::uint32_t submeshes_of(const SuiteCase& c, Strategy strategy, std::uint32_t 
         reader.refuse("submeshes", "bad value", "a whole number, \"threads\" or \"cores\"");
     }
     return static_cast<std::uint32_t>(
-        reader.of("submeshes").integer("submeshes", 1, most_submeshes));
+        reader.of("submeshes").integer("submeshes", 1, max_submeshes));
 }
 
 std::optional<double> read_area_error(const CaseReader& reader) {

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-FILTER = ("^(operation/edge_flip|kernel/gather_ring|flow/|option/topology_change/speedup|"
+FILTER = ("^(operation/edge_flip|kernel/gather_star|flow/|option/topology_change/speedup|"
           "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
           "scaling_run/strategy:(sequential|cells)/triangles:28000/(threads:[0-9]+/)?between_us:100/|"
           "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")

@@ -31,8 +31,8 @@ constexpr std::array measure_names{
     Named{Measure::result, "result"},
 };
 
-constexpr int most_threads = 1024;
-constexpr int most_seed = 1'000'000'000;
+constexpr int max_threads = 1024;
+constexpr int max_seed = 1'000'000'000;
 
 void check_strategy(const CaseReader& reader, Measure measure, Strategy strategy) {
     const auto refuse = [&](const char* allowed) {
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> read_threads(const CaseReader& reader) {
         reader.refuse("threads", "bad value", "whole numbers, or \"cores\"");
     }
     std::vector<std::uint32_t> counts;
-    for (const int count : integers(reader, "threads", 1, most_threads)) {
+    for (const int count : integers(reader, "threads", 1, max_threads)) {
         counts.push_back(static_cast<std::uint32_t>(count));
     }
     return counts;
@@ -148,7 +148,7 @@ SuiteCase read_keys(const CaseReader& reader) {
                        ? integers(reader, "between_us", 0, 1'000'000)
                        : std::vector{0};
     if (c.measure == Measure::result && reader.has("seeds")) {
-        (void)integers(reader, "seeds", 0, most_seed);
+        (void)integers(reader, "seeds", 0, max_seed);
     }
     return c;
 }

@@ -17,11 +17,11 @@ namespace {
 using std::numbers::pi;
 
 /// New markers are inserted in rounds: each looks at the intervals that the previous one made.
-constexpr int most_rounds = 40;
+constexpr int max_rounds = 40;
 /// No more markers are added.
-constexpr std::size_t most_markers = 1U << 20U;
+constexpr std::size_t max_markers = 1U << 20U;
 /// One round cuts an interval into at most this many parts, because its length is only an estimate.
-constexpr double most_parts = 64.0;
+constexpr double max_parts = 64.0;
 /// The initial number of markers on each smooth piece of a curve.
 constexpr int first_markers = 256;
 /// Points that show how many steps a flow needs, and how close two places must be to be the same,
@@ -88,7 +88,7 @@ std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& 
     };
     std::sort(markers.begin(), markers.end(), by_parameter);
     place_markers(curve, map, markers);
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         std::vector<Marker> added;
         for (std::size_t i = 0; i < markers.size(); ++i) {
             const Marker& here = markers[i];
@@ -101,10 +101,10 @@ std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& 
             double span = next.parameter - here.parameter;
             span = span > 0.0 ? span : span + 1.0;
             if (parts > 1.0 && span > 1e3 * std::numeric_limits<double>::epsilon()) {
-                divide(here.parameter, span, static_cast<int>(std::min(parts, most_parts)), added);
+                divide(here.parameter, span, static_cast<int>(std::min(parts, max_parts)), added);
             }
         }
-        if (added.empty() || markers.size() + added.size() > most_markers) {
+        if (added.empty() || markers.size() + added.size() > max_markers) {
             break;
         }
         place_markers(curve, map, added);

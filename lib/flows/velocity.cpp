@@ -89,7 +89,7 @@ void Falling::operator()(Positions positions, double /*time*/, Velocities veloci
     }
 }
 
-Point<double> Falling::carried(const Point<double>& point, double time) const {
+Point<double> Falling::advected(const Point<double>& point, double time) const {
     const double height =
         std::sinh((point.y() - surface) / depth) * std::exp(-time * speed / depth);
     return {point.x(), surface + depth * std::asinh(height)};

@@ -66,7 +66,7 @@ struct Falling {
     void operator()(Positions positions, double time, Velocities velocities) const;
     /// The place to which the flow carries the point in this time: sinh((y - surface) / depth)
     /// decays as exp(-time speed / depth).
-    [[nodiscard]] Point<double> carried(const Point<double>& point, double time) const;
+    [[nodiscard]] Point<double> advected(const Point<double>& point, double time) const;
 };
 
 /// The opposite flow.

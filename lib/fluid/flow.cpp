@@ -78,14 +78,14 @@ double error_of_motion(const FluidField& field, const FluidPast& moving_vertex, 
     return largest;
 }
 
-constexpr double least_factor = 0.3; // of a step over the one before
+constexpr double min_factor = 0.3; // of a step over the one before
 
 // The duration for which the error, which grows with its third power, is what it may be: a little
 // less, since a step whose error is larger is kept.
 double next_duration(double dt, double error, double tolerance) {
     constexpr double caution = 0.8;
     constexpr double largest_factor = 1.5;
-    return dt * std::clamp(caution * std::cbrt(tolerance / error), least_factor, largest_factor);
+    return dt * std::clamp(caution * std::cbrt(tolerance / error), min_factor, largest_factor);
 }
 
 void add(FluidStep& all, const FluidStep& one) {
@@ -219,7 +219,7 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
         const double dt = (end - time()) / std::ceil((end - time()) / wanted - 1e-9);
         const FluidStep one = step(simulation, dt);
         next_dt_ =
-            one.steps == 0 ? least_factor * dt : next_duration(dt, one.error, options_.tolerance);
+            one.steps == 0 ? min_factor * dt : next_duration(dt, one.error, options_.tolerance);
         add(all, one);
     }
     return all;

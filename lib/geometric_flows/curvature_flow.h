@@ -63,7 +63,7 @@ struct CurvatureFlowOptions {
 /// along them without drag, and share the stretch. One step and two of half the length are
 /// extrapolated to second order in time. Curves that end at the domain boundary slide along it and
 /// meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
-/// start becomes smooth at once: with `interface.corner_degrees` 180 its corners are not kept,
+/// start becomes smooth at once: with `interface.feature_degrees` 180 its corners are not kept,
 /// which would stand in a junction's way.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it

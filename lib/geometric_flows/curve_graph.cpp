@@ -10,9 +10,9 @@ namespace dsc {
 namespace {
 
 /// More shares than most machines have cores: curves, and with them shares, differ in length.
-constexpr std::size_t most_shares = 8;
+constexpr std::size_t max_shares = 8;
 /// Vertices of a share at least: about ten microseconds of work.
-constexpr std::size_t least_of_a_share = 256;
+constexpr std::size_t min_of_share = 256;
 
 } // namespace
 
@@ -110,7 +110,7 @@ void CurveGraph::follow(std::uint32_t anchor, std::uint32_t edge) {
     curve.last = {edge, network_->edges[edge].from == last};
     curves_.push_back(curve);
     const std::size_t enough =
-        std::max(least_of_a_share, (number_.size() - junctions_.size()) / most_shares + 1);
+        std::max(min_of_share, (number_.size() - junctions_.size()) / max_shares + 1);
     if (vertices_.size() - ends_.back().vertices >= enough) {
         end_share();
     }

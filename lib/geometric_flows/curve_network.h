@@ -128,14 +128,14 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
         const std::uint32_t i = view.junctions[k];
         network.is_junction[i] = 1;
         Vector2 pull;
-        Vector2 along_wall;
+        Vector2 along_boundary;
         for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
             const InterfaceArm& arm = view.arms[a];
             if (arm.left == border_phase || arm.right == border_phase) {
                 const Phase phase = arm.left == border_phase ? arm.right : arm.left;
                 const Vector2 way = network.positions[arm.neighbour] - network.positions[i];
                 pull += wall_energy(phase) * (way / norm(way));
-                along_wall += way / norm(way);
+                along_boundary += way / norm(way);
             }
             const bool is_along = arm.left == view.left[arm.neighbour];
             for (std::uint32_t v = arm.neighbour;
@@ -149,7 +149,7 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
             }
         }
         // The boundary beside the exterior phase has no arm: it lies opposite to the one there is.
-        pull -= wall_energy(exterior_phase) * along_wall;
+        pull -= wall_energy(exterior_phase) * along_boundary;
         if (pull != Vector2{}) {
             network.ends.push_back({i, pull});
         }

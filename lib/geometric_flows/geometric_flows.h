@@ -5,4 +5,4 @@
 #include "geometric_flows/curvature_flow.h"
 
 #include "geometric_flows/growth.h"
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"

@@ -74,7 +74,7 @@ public:
             return ray->state == FanState::closing ? ray->direction
                                                    : Point<Real>(speed * ray->direction);
         }
-        return view_.is_corner(i) ? of_corner(i, speed) : speed * normal(view_, i);
+        return view_.is_feature(i) ? of_feature(i, speed) : speed * normal(view_, i);
     }
 
 private:
@@ -90,7 +90,7 @@ private:
     [[nodiscard]] Point<Real> tangent_to(std::size_t i, std::uint32_t neighbour) const {
         const Point<Real>& at = view_.positions[i];
         const Point<Real>& before = view_.positions[neighbour];
-        if (view_.is_junction(neighbour) || view_.is_corner(neighbour)) {
+        if (view_.is_junction(neighbour) || view_.is_feature(neighbour)) {
             return end_tangent<Real>(before, before, at);
         }
         const bool is_on = view_.next[neighbour] == i;
@@ -103,14 +103,14 @@ private:
                                        Real speed) const {
         const Point<Real> sum = n + m;
         const Real size = sum.norm(); // twice the cosine of half the turn
-        const Real most = static_cast<Real>(options_.most_notch);
+        const Real most = static_cast<Real>(options_.max_notch);
         if (size * most > 2) {
             return (2 * speed / (size * size)) * sum;
         }
         return size > 0 ? Point<Real>((speed * most / size) * sum) : Point<Real>(speed * n);
     }
 
-    [[nodiscard]] Point<Real> of_corner(std::size_t i, Real speed) const {
+    [[nodiscard]] Point<Real> of_feature(std::size_t i, Real speed) const {
         const Point<Real> in = tangent_to(i, view_.previous[i]);
         const Point<Real> out = -tangent_to(i, view_.next[i]);
         // Sheets that move apart leave an arc behind, for which the pass makes a fan.
@@ -119,17 +119,17 @@ private:
     }
 
     // The velocity v with v.n = speed for the normal n of each sheet, in the sense of least
-    // squares; along the wall on the domain boundary.
+    // squares; along the domain boundary on the domain boundary.
     [[nodiscard]] Point<Real> of_junction(std::size_t i) const {
         Point<Real> x = Point<Real>::Zero(); // the rows of the normal equations
         Point<Real> y = Point<Real>::Zero();
         Point<Real> right = Point<Real>::Zero();
-        Point<Real> wall = Point<Real>::Zero();
+        Point<Real> boundary = Point<Real>::Zero();
         Real fastest = 0;
         for (const InterfaceArm& arm : arms_of(view_, i)) {
             const Point<Real> along = -tangent_to(i, arm.neighbour);
             if (arm.left == border_phase || arm.right == border_phase) {
-                wall = along;
+                boundary = along;
                 continue;
             }
             const Point<Real> n = right_of<Real>(along);
@@ -141,10 +141,10 @@ private:
         }
         Point<Real> velocity = Point<Real>::Zero();
         if (view_.is_on_boundary(i)) {
-            // The wall may belong to the exterior on one side, where it is no part of the
-            // interface: the pass of movement keeps the vertex on it in any case.
-            const Real across = wall.x() * x.dot(wall) + wall.y() * y.dot(wall);
-            velocity = across > 0 ? Point<Real>(wall.dot(right) / across * wall) : right;
+            // The domain boundary may belong to the exterior on one side, where it is no part of
+            // the interface: the pass of movement keeps the vertex on it in any case.
+            const Real across = boundary.x() * x.dot(boundary) + boundary.y() * y.dot(boundary);
+            velocity = across > 0 ? Point<Real>(boundary.dot(right) / across * boundary) : right;
         } else if (const Real determinant = cross<Real>(x, y);
                    determinant > straight_ * straight_) {
             velocity = {cross<Real>(right, Point<Real>(x.y(), y.y())) / determinant,
@@ -153,7 +153,7 @@ private:
             velocity = right; // one sheet, or a straight one
         }
         const Real size = velocity.norm();
-        const Real most = static_cast<Real>(options_.most_notch) * fastest;
+        const Real most = static_cast<Real>(options_.max_notch) * fastest;
         return size > most ? Point<Real>(most / size * velocity) : velocity;
     }
 
@@ -200,8 +200,8 @@ void check_growth(const GrowthOptions<Real>& options) {
     require(options.notch_degrees > options.smooth_degrees && options.notch_degrees <= 180,
             "growth.notch_degrees", options.notch_degrees,
             "more than growth.smooth_degrees, up to 180 degrees");
-    require(options.most_notch >= 1 && std::isfinite(options.most_notch), "growth.most_notch",
-            options.most_notch, "1 or more");
+    require(options.max_notch >= 1 && std::isfinite(options.max_notch), "growth.max_notch",
+            options.max_notch, "1 or more");
 }
 
 template <class Real>

@@ -5,7 +5,7 @@
 // meeting in a sharp notch.
 //
 // Normals alone do neither: the arc starts from one point, and what is inserted there later lies
-// beside it. So a pass (growth_corners.h) puts a fan of vertices at the corner,
+// beside it. So a pass (growth_features.h) puts a fan of vertices at the corner,
 // each with a direction of its own, and the flow moves each along its ray: a characteristic of the
 // eikonal equation (J. A. Sethian, "Curvature and the evolution of fronts", 1985).
 #pragma once
@@ -40,7 +40,7 @@ struct GrowthOptions {
     double notch_degrees = 40;
     double smooth_degrees = 15; ///< ...until it turns by less than this
     /// A notch moves by at most this times the speed: a sharp one would leave its mesh behind.
-    double most_notch = 4;
+    double max_notch = 4;
 };
 
 /// Throws InputError if a value is not finite or out of range, a pair of phases is named twice, or

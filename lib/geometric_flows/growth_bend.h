@@ -21,23 +21,23 @@ struct GrowthBend {
     bool known = false; ///< false at junctions, and on the domain boundary
 };
 
-/// The corner of a ring. O(degree).
+/// The corner of a star. O(degree).
 template <class Real>
-[[nodiscard]] GrowthBend<Real> bend_of(const Ring<Real>& ring, const GrowthOptions<Real>& options,
+[[nodiscard]] GrowthBend<Real> bend_of(const Star<Real>& star, const GrowthOptions<Real>& options,
                                        Real time) {
     GrowthBend<Real> bend;
-    const IncidentEdges incident = interface_edges_of(ring);
-    if (incident.count != 2 || !ring.closed) {
+    const IncidentEdges incident = interface_edges_of(star);
+    if (incident.count != 2 || !star.closed) {
         return bend;
     }
-    const bool first_is_out = ring.phase_after(incident.first) > ring.phase_before(incident.first);
+    const bool first_is_out = star.phase_after(incident.first) > star.phase_before(incident.first);
     bend.out = first_is_out ? incident.first : incident.second;
     bend.in = incident.other(bend.out);
-    bend.from = link_point(ring, bend.in);
-    bend.at = {ring.x0, ring.y0};
-    bend.to = link_point(ring, bend.out);
+    bend.from = link_point(star, bend.in);
+    bend.at = {star.x0, star.y0};
+    bend.to = link_point(star, bend.out);
     bend.turn = turn_angle<Real>(bend.from, bend.at, bend.to);
-    bend.speed = growth_speed(options, ring.phase_after(bend.out), ring.phase_before(bend.out),
+    bend.speed = growth_speed(options, star.phase_after(bend.out), star.phase_before(bend.out),
                               bend.at, time);
     bend.known = true;
     return bend;

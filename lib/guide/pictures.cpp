@@ -113,7 +113,7 @@ void draw_junctions() {
     auto complex = initial_complex<double>({}, curves, {.edge_length = 0.06});
     draw(complex, "block");
     Options<double> options{.edge_length = 0.06};
-    options.interface.corner_degrees = 180; // curvature smooths every corner
+    options.interface.feature_degrees = 180; // curvature smooths every corner
     Simulation<double> simulation(complex, options);
     const auto flow = curvature_flow<double>({.kept_areas = {{1, phase_area(complex, 1)}}});
     for (int step = 0; step < 100; ++step) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// After more halvings, nothing of an edge is left in double precision.
-constexpr int most_halvings = 60;
+constexpr int max_halvings = 60;
 
 /// Of the result; both curves are about as large as 1.
 constexpr double tolerance = 1e-10;
@@ -68,7 +68,7 @@ Farthest directed(const std::vector<Segment>& from, const SegmentTree& to) {
         while (!parts.empty()) {
             const Part part = parts.back();
             parts.pop_back();
-            if (part.halvings >= most_halvings ||
+            if (part.halvings >= max_halvings ||
                 bound(part, to.segments()) <= farthest.distance + tolerance) {
                 continue;
             }

@@ -13,9 +13,9 @@ namespace {
 /// boundary the curve ends.
 template <class Real>
 bool is_smooth_at(const Complex<Real>& complex, Vertex before, Vertex at, Vertex after,
-                  Ring<Real>& ring) {
-    return gather(complex, dsc::Region{}, at.id, ring) && ring.closed &&
-           interface_edges_of(ring).count == 2 &&
+                  Star<Real>& star) {
+    return gather(complex, dsc::Region{}, at.id, star) && star.closed &&
+           interface_edges_of(star).count == 2 &&
            is_smooth<Real>(complex, at.id, complex.position(before), complex.position(at),
                            complex.position(after));
 }
@@ -27,7 +27,7 @@ std::vector<Outline> interface_outlines(const Complex<Real>& complex,
                                         const OutlineOptions& options) {
     const int pieces = options.reading == Reading::chords ? 1 : options.samples;
     std::vector<Outline> outlines;
-    Ring<Real> ring;
+    Star<Real> star;
     const auto is_inside = [&](Phase phase) {
         return options.phase ? phase == *options.phase : phase != exterior_phase;
     };
@@ -36,7 +36,7 @@ std::vector<Outline> interface_outlines(const Complex<Real>& complex,
         std::vector<std::uint8_t> smooth(n, 0);
         for (std::size_t i = 0; i < n && pieces > 1; ++i) {
             smooth[i] =
-                is_smooth_at(complex, loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n], ring) ? 1
+                is_smooth_at(complex, loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n], star) ? 1
                                                                                                : 0;
         }
         const auto at = [&](std::size_t i) {

@@ -38,7 +38,7 @@ PhaseReport measure_phases(const Complex<Real>& complex) {
         const auto [one, other] = pair;
         const double length = sum.value();
         if (other == border_phase) {
-            phases[one].first.wall = length;
+            phases[one].first.boundary = length;
         } else {
             phases[one].first.perimeter += length;
             phases[other].first.perimeter += length;

@@ -13,7 +13,7 @@ struct PhaseFigures {
     Phase phase = exterior_phase;
     double area = 0;
     double perimeter = 0;         ///< of the edges between it and other phases
-    double wall = 0;              ///< of its edges on the domain boundary
+    double boundary = 0;          ///< of its edges on the domain boundary
     std::uint32_t components = 0; ///< triangles joined across edges
     /// In all components together. Of holes that touch at a vertex, one is counted.
     std::uint32_t holes = 0;

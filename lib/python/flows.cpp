@@ -58,16 +58,17 @@ py::object interface_of(const InterfaceView<double>& view) {
     };
     const auto measured = [&](auto measure) { return array_over(vertices, measure); };
     return py::module_::import("dsc.records")
-        .attr("Interface")(
-            "positions"_a = array_of(view.positions), "previous"_a = numbers(view.previous),
-            "next"_a = numbers(view.next), "left"_a = numbers(view.left),
-            "right"_a = numbers(view.right),
-            "normals"_a = measured([&](std::size_t i) { return normal(view, i); }),
-            "curvatures"_a = measured([&](std::size_t i) { return curvature(view, i); }),
-            "lengths"_a = measured([&](std::size_t i) { return length(view, i); }),
-            "arms"_a = arms_in(view), "is_junction"_a = flags(interface_junction),
-            "is_corner"_a = flags(interface_corner), "is_on_boundary"_a = flags(interface_boundary),
-            "is_locked"_a = flags(interface_locked));
+        .attr("Interface")("positions"_a = array_of(view.positions),
+                           "previous"_a = numbers(view.previous), "next"_a = numbers(view.next),
+                           "left"_a = numbers(view.left), "right"_a = numbers(view.right),
+                           "normals"_a = measured([&](std::size_t i) { return normal(view, i); }),
+                           "curvatures"_a =
+                               measured([&](std::size_t i) { return curvature(view, i); }),
+                           "lengths"_a = measured([&](std::size_t i) { return length(view, i); }),
+                           "arms"_a = arms_in(view), "is_junction"_a = flags(interface_junction),
+                           "is_feature"_a = flags(interface_feature),
+                           "is_on_boundary"_a = flags(interface_boundary),
+                           "is_locked"_a = flags(interface_locked));
 }
 
 // Calls `function(interface, t)` in each stage of the integrator, once for the whole interface.

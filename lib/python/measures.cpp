@@ -51,9 +51,9 @@ py::dict figures(const Mesh& mesh) {
     const scenes::PhaseReport report = scenes::measure_phases(mesh.complex());
     py::dict phases;
     for (const scenes::PhaseFigures& one : report.phases) {
-        phases[py::int_(one.phase)] =
-            py::dict("area"_a = one.area, "perimeter"_a = one.perimeter, "wall"_a = one.wall,
-                     "components"_a = one.components, "holes"_a = one.holes);
+        phases[py::int_(one.phase)] = py::dict(
+            "area"_a = one.area, "perimeter"_a = one.perimeter, "boundary"_a = one.boundary,
+            "components"_a = one.components, "holes"_a = one.holes);
     }
     py::dict lengths;
     for (const scenes::PairFigures& pair : report.pairs) {
@@ -76,7 +76,7 @@ void add_measures(py::module_& module, MeshClass& mesh) {
         .def_property_readonly("figures", &figures, R"(
 How the domain is divided among its phases: a dict.
 
-`["phases"][phase]` is a dict of `area`, `perimeter` (with other phases), `wall` (length on the
+`["phases"][phase]` is a dict of `area`, `perimeter` (with other phases), `boundary` (length on the
 domain boundary), `components` and `holes`; `["lengths"][one, other]` is the length of the interface
 of two phases, the smaller one first.
 )")

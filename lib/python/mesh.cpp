@@ -75,12 +75,12 @@ MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, 
 }
 
 // The first complex of an image, whose first row is the uppermost.
-MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size_t least_pixels,
+MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size_t min_pixels,
                      const py::dict& keywords) {
     const LabelImage image{static_cast<std::size_t>(labels.shape(0)),
                            static_cast<std::size_t>(labels.shape(1)),
                            {labels.data(), labels.data() + labels.size()},
-                           least_pixels};
+                           min_pixels};
     InputReport report;
     const InitialOptions options = initial_options(keywords);
     const py::gil_scoped_release others_run;
@@ -220,6 +220,8 @@ void add_mesh(py::module_& module) {
                    return sentences(
                        {points, thinned, deviation, area_changed, dropped, area_dropped, clipped});
                });
+    module.def("current_option", &current_option, "name"_a,
+               "The name of an option now; warns if `name` is that of release 0.1.");
     module.attr("size_help") = option_help(Use::initial_complex);
     add_data(type);
     add_measures(module, type);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "python/options.h"
 
+#include "dsc/base/renamed.h"
 #include "thesis/divisions.h"
 
 #include <algorithm>
@@ -184,19 +185,19 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
     visit("reading", interface.reading, "what the deviation of the interface is measured from");
     visit("deviation", interface.deviation,
           "by which coarsening may move the interface, in edge lengths");
-    visit("corner_degrees", interface.corner_degrees,
+    visit("feature_degrees", interface.feature_degrees,
           "sharper turns at the start are corners, which are kept");
     visit("turn_degrees", interface.turn_degrees,
           "interface edges along which it turns by more are split; 0: none");
     visit("gap", interface.gap, "interface edges longer than this times a gap are split; 0: none");
-    visit("carried_phases", options.carried_phases, "phases whose inside moves with the flow");
+    visit("advected_phases", options.advected_phases, "phases whose inside moves with the flow");
     visit("sub_step", options.sub_step,
           "the farthest that a vertex moves at a time, in edge lengths");
     visit("max_sub_steps", options.max_sub_steps, "of one step, which gives up then");
     visit("topology", topology.rule, "what happens where a phase becomes thin");
     visit("contact", topology.contact,
           "thickness at which a film opens, a length; 0: 0.4 edge lengths");
-    visit("least_area", topology.least_area,
+    visit("min_area", topology.min_area,
           "smaller pieces vanish where topology is change; 0: edge_length**2");
     visit("follows_seams", topology.follows_seams,
           "whether a film goes on opening beside where it has opened");
@@ -222,9 +223,20 @@ std::optional<Parallel> Choices::parallel() const {
     return parallel;
 }
 
+std::string current_option(const std::string& name) {
+    const RenamedOption* renamed = renamed_option(name);
+    if (renamed == nullptr) {
+        return name;
+    }
+    if (PyErr_WarnEx(PyExc_FutureWarning, renamed->warning().c_str(), 1) != 0) {
+        throw py::error_already_set();
+    }
+    return std::string(renamed->now);
+}
+
 void apply(Choices& choices, const py::dict& given, Use use) {
     for (const auto& keyword : given) {
-        const auto wanted = keyword.first.cast<std::string>();
+        const auto wanted = current_option(keyword.first.cast<std::string>());
         bool is_known = false;
         std::string names;
         for_each_option(choices, use, [&](const std::string& name, auto& field, auto) {

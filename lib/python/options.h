@@ -47,6 +47,9 @@ void apply(Choices& choices, const py::dict& keywords, Use use = Use::simulation
 [[nodiscard]] py::dict values_of(const Choices& choices);
 
 /// For each option its name, type and default, and what it is, as numpydoc has them.
+/// The name of an option now; warns in Python if `name` is that of release 0.1.
+[[nodiscard]] std::string current_option(const std::string& name);
+
 [[nodiscard]] std::string option_help(Use use = Use::simulation);
 
 } // namespace dsc::python

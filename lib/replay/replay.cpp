@@ -17,8 +17,8 @@ class Replay {
 public:
     Replay(Complex<Real>& complex, std::size_t edits, const RepeatEdit<Real>& others)
         : complex_(complex), others_(others),
-          most_vertices_(room_for(complex.vertex_bound(), edits)),
-          most_triangles_(room_for(complex.triangle_bound(), edits)),
+          max_vertices_(room_for(complex.vertex_bound(), edits)),
+          max_triangles_(room_for(complex.triangle_bound(), edits)),
           readers_(std::exchange(complex.journal.readers, 0U)) {}
 
     bool play(const Edit& edit) {
@@ -88,7 +88,7 @@ private:
     }
     // Makes room for an id that came from the pool of a submesh. False if there is no such id.
     bool have_vertex(std::uint32_t id) {
-        if (id >= most_vertices_) {
+        if (id >= max_vertices_) {
             return false;
         }
         while (complex_.vertex_bound() <= id) {
@@ -98,7 +98,7 @@ private:
         return true;
     }
     bool have_triangle(std::uint32_t id) {
-        if (id == border_triangle || id >= most_triangles_) {
+        if (id == border_triangle || id >= max_triangles_) {
             return false;
         }
         while (complex_.triangle_bound() <= id) {
@@ -205,8 +205,8 @@ private:
 
     Complex<Real>& complex_;
     const RepeatEdit<Real>& others_;
-    std::uint64_t most_vertices_;
-    std::uint64_t most_triangles_;
+    std::uint64_t max_vertices_;
+    std::uint64_t max_triangles_;
     std::uint32_t readers_;
     EditLog silent_;
     IdPool fresh_; // always empty: an id that is asked for is a new one

@@ -2,10 +2,12 @@
 #include "scenes/keys.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/renamed.h"
 #include "scenes/file/excerpt.h"
 
 #include <algorithm>
 #include <charconv>
+#include <iostream>
 #include <type_traits>
 #include <utility>
 
@@ -85,7 +87,7 @@ std::vector<Key> make_keys() {
         number("shortest", of_interface(&I::shortest), 0.0, 5.0, "0 to 5, in edge lengths"),
         number("deviation", of_interface(&I::deviation), 0.0, 1.0, "0 to 1, in edge lengths"),
         number("turn", of_interface(&I::turn_degrees), 0.0, 180.0, "0 (off), 1 to 180 degrees"),
-        number("corner", of_interface(&I::corner_degrees), 0.0, 180.0,
+        number("feature", of_interface(&I::feature_degrees), 0.0, 180.0,
                "0 to 180 degrees: sharper turns at the start are corners"),
         number("gap", of_interface(&I::gap), 0.0, 100.0, "0 (off), 0.1 to 100"),
         number("grading", of_interface(&I::grading), 0.0, 100.0, "0 (off), 2 to 100"),
@@ -94,7 +96,7 @@ std::vector<Key> make_keys() {
         choice("topology", &P::topology, topology_names),
         number("contact", &P::contact, 0.0, 1.0,
                "0 (0.4 edge lengths), or a length, no wider than a phase"),
-        number("least_area", &P::least_area, 1e-3, 1e3, "0.001 to 1000, in squared edge lengths"),
+        number("min_area", &P::min_area, 1e-3, 1e3, "0.001 to 1000, in squared edge lengths"),
         choice("seams", &P::follows_seams, no_or_yes),
         choice("give_back", &P::gives_back, no_or_yes),
         choice("detail", &P::detail, detail_names),
@@ -143,7 +145,12 @@ std::string text_of(const Parameters& parameters) {
 }
 
 void set_parameter(Parameters& parameters, const std::vector<std::string>& keys,
-                   const std::string& key, const std::string& value) {
+                   const std::string& given, const std::string& value) {
+    const RenamedOption* renamed = renamed_option(given);
+    const std::string key(renamed != nullptr ? renamed->now : given);
+    if (renamed != nullptr) {
+        std::cerr << "--set " << given << ": " << renamed->warning() << '\n';
+    }
     const auto found =
         std::ranges::find_if(parameter_keys(), [&](const Key& one) { return one.name == key; });
     if (found == parameter_keys().end() || std::ranges::find(keys, key) == keys.end()) {

@@ -58,8 +58,8 @@ struct Parameters {
     Insertion insertion = Insertion::cubic;
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
-    double contact = 0;    ///< thickness at which a film opens, a length; 0: the library's default
-    double least_area = 1; ///< of a piece that does not vanish, in squared edge lengths
+    double contact = 0;  ///< thickness at which a film opens, a length; 0: the library's default
+    double min_area = 1; ///< of a piece that does not vanish, in squared edge lengths
     bool follows_seams = true; ///< films go on opening beside where they have opened
     double grade = 0; ///< how much longer edges grow, from one to the next; 0: all of one length
     bool gives_back = false;                 ///< area that changes of topology take

@@ -116,7 +116,7 @@ struct Setup {
     std::optional<Phase> measured{}; ///< the one whose shape is measured; none: all but 0
     Flow flow{};
     std::vector<Phase>
-        carried{}; ///< phases whose inside moves with the flow, not for the reference
+        advected{}; ///< phases whose inside moves with the flow, not for the reference
     std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
     std::optional<Growth> growth{};             ///< the same
     std::optional<FluidMotion> fluid{};         ///< the same, in double alone

@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 /// A larger number of vertices results from a wrong unit.
-constexpr double most_vertices = 1e8;
+constexpr double max_vertices = 1e8;
 /// A shorter side is a point up to rounding. Relative to the size of the shape.
 constexpr double same_point = 1e-13;
 
@@ -27,7 +27,7 @@ void check_positive(double value, const std::string& what, const std::string& wh
 int parts(double length, double edge_length, const std::string& where) {
     check_positive(edge_length, "edge length", where);
     const double count = std::ceil(length / edge_length);
-    require(count <= most_vertices, where + ": edge length too small for the shape", edge_length,
+    require(count <= max_vertices, where + ": edge length too small for the shape", edge_length,
             "at most 1e8 edges");
     return std::max(1, static_cast<int>(count));
 }

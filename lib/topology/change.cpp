@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "topology/change.h"
 
+#include "topology/films/boundary_films.h"
 #include "topology/films/films.h"
 #include "topology/films/landing.h"
 #include "topology/films/remnants.h"
-#include "topology/films/wall_films.h"
 #include "topology/films/wide_films.h"
 #include "topology/give_back.h"
 #include "topology/junctions/junctions.h"
@@ -34,7 +34,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     if (has_wide) {
         open_wide_films<Real>(work, candidates);
     }
-    open_wall_films<Real>(work, has_wide ? candidates : notable);
+    open_boundary_films<Real>(work, has_wide ? candidates : notable);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
     change_junctions<Real>(work, notable);

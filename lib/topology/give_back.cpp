@@ -25,10 +25,10 @@ constexpr double farthest_move = 0.1;
 /// Fewer vertices would make a bump.
 constexpr std::size_t fewest_vertices = 6;
 /// The search for an interface of the two phases ends after so many vertices.
-constexpr std::size_t most_searched = 4096;
+constexpr std::size_t max_searched = 4096;
 /// The pressure is found anew as often as this: each time a small part of what was left remains,
 /// until that is rounding.
-constexpr int most_pressures = 30;
+constexpr int max_pressures = 30;
 
 /// What one phase owes another at one place.
 struct Debt {
@@ -97,7 +97,7 @@ private:
         if (left == 0 || !find_bends(debt, gains, loses, left)) {
             return left;
         }
-        for (int round = 0; round < most_pressures; ++round) {
+        for (int round = 0; round < max_pressures; ++round) {
             const double before = std::abs(left);
             left -= move_by(left);
             if (left == 0 || std::abs(left) > 0.9 * before) {
@@ -121,7 +121,7 @@ private:
             seen.insert(v.id);
         }
         double room = 0; // area that the vertices can sweep
-        while (!layer.empty() && seen.size() < most_searched &&
+        while (!layer.empty() && seen.size() < max_searched &&
                (bends_.size() < fewest_vertices || room < area)) {
             std::vector<std::uint32_t> next_layer;
             for (const std::uint32_t v : layer) {
@@ -145,7 +145,7 @@ private:
     }
 
     bool add_bend(Vertex v, Phase gains, Phase loses) {
-        constexpr std::uint32_t fixed = vertex_locked | vertex_corner;
+        constexpr std::uint32_t fixed = vertex_locked | vertex_feature;
         if ((complex_.vertices[v.id].flags & fixed) != 0) {
             return false;
         }
@@ -234,10 +234,10 @@ private:
             whole *= farthest_ / length;
         }
         const Point<Real> target = (bend.first + whole).template cast<Real>();
-        if (!gather(complex_, Region{}, bend.vertex, ring_)) {
+        if (!gather(complex_, Region{}, bend.vertex, star_)) {
             return 0;
         }
-        if (move_vertex(submesh_, ring_, target.x(), target.y(), MoveReason::giving_back) ==
+        if (move_vertex(submesh_, star_, target.x(), target.y(), MoveReason::giving_back) ==
             MoveOutcome::blocked) {
             return 0;
         }
@@ -249,7 +249,7 @@ private:
     Submesh<Real> submesh_;
     double farthest_;
     std::vector<Bend> bends_;
-    Ring<Real> ring_;
+    Star<Real> star_;
 };
 
 } // namespace

@@ -28,7 +28,7 @@ VertexAttribute<Note>& notes_of(Complex<Real>& complex) {
     return complex.attributes.template add<Vertex>(
         notes_name, Note{}, [](const Note& one, const Note& other, double) {
             return Note{.round = std::min(one.round, other.round),
-                        .what = one.what & other.what & noted_wall};
+                        .what = one.what & other.what & noted_boundary};
         });
 }
 
@@ -49,8 +49,8 @@ void begin_notes(Complex<Real>& complex) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner c = corner_of(t.id, i);
             if (is_border(complex.twin(c))) {
-                notes[Vertex{complex.vertex(next(c))}].what = noted_wall;
-                notes[Vertex{complex.vertex(prev(c))}].what = noted_wall;
+                notes[Vertex{complex.vertex(next(c))}].what = noted_boundary;
+                notes[Vertex{complex.vertex(prev(c))}].what = noted_boundary;
             }
         }
     }
@@ -61,25 +61,26 @@ namespace {
 // The star of one vertex, as the remeshing has left it.
 template <class Real>
 std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>& notes,
-                      const Notability<Real>& what, std::uint32_t round, const Ring<Real>& ring,
+                      const Notability<Real>& what, std::uint32_t round, const Star<Real>& star,
                       const IncidentEdges& incident) {
     if (incident.count == 0) {
         return 0;
     }
     // All of an owned star is listed here: nobody else writes to its notes. Of any other nothing is
     // known, except that it may face a sheet. Vertices on the domain boundary count as noted.
-    const bool may_face = !ring.owned || may_face_a_sheet(notes, round, ring);
-    const bool is_beside_wall = ring.owned && may_face && faces_wall(complex, ring);
+    const bool may_face = !star.owned || may_face_a_sheet(notes, round, star);
+    const bool is_beside_boundary = star.owned && may_face && faces_boundary(complex, star);
     // Which of the stars that face no sheet are thin matters once something else has changed: they
     // are looked at then.
-    const bool is_thin = !may_face || has_thin_triangle(ring, what.contact * what.contact);
+    const bool is_thin = !may_face || has_thin_triangle(star, what.contact * what.contact);
     const bool is_sharp =
-        incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(ring, incident)));
-    const bool ends_on_wall = !ring.closed && (incident.first != 0 || incident.second != ring.size);
-    const bool is_notable =
-        is_sharp || (incident.count == 2 && (turns_tightly(Bend(ring, incident), what.curvature) ||
-                                             ends_on_wall || (ring.closed && is_beside_wall)));
-    const bool is_junction = is_sharp && (incident.count != 2 || !ring.closed);
+        incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(star, incident)));
+    const bool ends_on_boundary =
+        !star.closed && (incident.first != 0 || incident.second != star.size);
+    const bool is_notable = is_sharp || (incident.count == 2 &&
+                                         (turns_tightly(Bend(star, incident), what.curvature) ||
+                                          ends_on_boundary || (star.closed && is_beside_boundary)));
+    const bool is_junction = is_sharp && (incident.count != 2 || !star.closed);
     return (is_thin ? noted_thin : 0U) | (is_thin && may_face ? noted_facing : 0U) |
            (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
@@ -99,10 +100,10 @@ Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t r
 } // namespace
 
 template <class Real>
-void note_star(const Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident,
+void note_star(const Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident,
                const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book) {
-    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, ring, incident);
-    note_vertex(work.complex, ring.vertex, round, book).what |= seen | noted_star;
+    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, star, incident);
+    note_vertex(work.complex, star.vertex, round, book).what |= seen | noted_star;
 }
 
 template <class Real>
@@ -132,8 +133,8 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     }
     // Stars that were noted before such a vertex may face it.
     for (const std::uint32_t v : has_first ? work.interface : left) {
-        if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.ring)) {
-            note_star(work, work.ring, interface_edges_of(work.ring), what, round, book);
+        if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.star)) {
+            note_star(work, work.star, interface_edges_of(work.star), what, round, book);
         }
     }
 }
@@ -146,9 +147,9 @@ template bool has_notes(const Complex<double>&);
 template bool has_notes(const Complex<float>&);
 template void begin_notes(Complex<double>&);
 template void begin_notes(Complex<float>&);
-template void note_star(const Work<double>&, const Ring<double>&, const IncidentEdges&,
+template void note_star(const Work<double>&, const Star<double>&, const IncidentEdges&,
                         const Notability<double>&, std::uint32_t, const Notebook<double>&);
-template void note_star(const Work<float>&, const Ring<float>&, const IncidentEdges&,
+template void note_star(const Work<float>&, const Star<float>&, const IncidentEdges&,
                         const Notability<float>&, std::uint32_t, const Notebook<float>&);
 template void note_stars(Work<double>&, const Notability<double>&, std::uint32_t);
 template void note_stars(Work<float>&, const Notability<float>&, std::uint32_t);

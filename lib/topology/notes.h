@@ -23,11 +23,11 @@ enum Notable : std::uint32_t {
     /// Two sheets of the interface met at the vertex in this sub-step or an earlier one: see
     /// films.h.
     noted_seam = 16U,
-    noted_wall = 32U,  ///< the vertex lies on the domain boundary, along which a film may lie
-    noted_first = 64U, ///< the vertex had no note in the round before
-    noted_star = 128U, ///< the star has been looked at in this round
+    noted_boundary = 32U, ///< the vertex lies on the domain boundary, along which a film may lie
+    noted_first = 64U,    ///< the vertex had no note in the round before
+    noted_star = 128U,    ///< the star has been looked at in this round
     noted_of_star = noted_thin | noted_facing | noted_sharp | noted_junction,
-    noted_for_ever = noted_seam | noted_wall, ///< kept from round to round
+    noted_for_ever = noted_seam | noted_boundary, ///< kept from round to round
 };
 
 /// The note of a vertex. Small, because those of a whole link are read for each star.
@@ -78,8 +78,8 @@ struct Notability {
 /// Of every closed curve around an area A, the curvature is somewhere sqrt(pi / A) or more. Half of
 /// that includes what a corner of the domain completes, and unequal edges.
 template <class Real>
-[[nodiscard]] Real curvature_around(Real least_area) {
-    return std::sqrt(std::numbers::pi_v<Real> / least_area) / 2;
+[[nodiscard]] Real curvature_around(Real min_area) {
+    return std::sqrt(std::numbers::pi_v<Real> / min_area) / 2;
 }
 
 /// Where the notes of a complex are written. Each entry has one writer, the work that lists the
@@ -92,7 +92,7 @@ struct Notebook {
 
 /// Notes the star of one interface vertex, which has just been gathered. O(degree).
 template <class Real>
-void note_star(const Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident,
+void note_star(const Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident,
                const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book);
 
 /// Notes the interface vertices of a work: a pass without edits. Leaves out those whose star has
@@ -106,17 +106,17 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
 /// True if the smallest height of a triangle of the star is below the contact distance: its area
 /// doubled is the height times the longest edge. In whole lanes; O(degree).
 template <class Real>
-[[nodiscard]] bool has_thin_triangle(const Ring<Real>& ring, Real contact_squared) {
-    const Real x0 = ring.x0;
-    const Real y0 = ring.y0;
-    for (std::uint32_t first = 0; first < ring.size; first += Ring<Real>::lanes) {
-        const Real* x = ring.x.data() + first;
-        const Real* y = ring.y.data() + first;
-        const Real* x_next = ring.x_next.data() + first;
-        const Real* y_next = ring.y_next.data() + first;
+[[nodiscard]] bool has_thin_triangle(const Star<Real>& star, Real contact_squared) {
+    const Real x0 = star.x0;
+    const Real y0 = star.y0;
+    for (std::uint32_t first = 0; first < star.size; first += Star<Real>::lanes) {
+        const Real* x = star.x.data() + first;
+        const Real* y = star.y.data() + first;
+        const Real* x_next = star.x_next.data() + first;
+        const Real* y_next = star.y_next.data() + first;
         Real least = std::numeric_limits<Real>::max();
 #pragma omp simd reduction(min : least)
-        for (std::uint32_t i = 0; i < Ring<Real>::lanes; ++i) {
+        for (std::uint32_t i = 0; i < Star<Real>::lanes; ++i) {
             const Real ax = x[i] - x0;
             const Real ay = y[i] - y0;
             const Real bx = x_next[i] - x0;
@@ -139,33 +139,33 @@ template <class Real>
 /// last one counts because a vertex that has just come into another submesh is noted after all
 /// others.
 [[nodiscard]] inline bool is_noted(const Note& note, std::uint32_t round) {
-    return round - note.round <= 1 || (note.what & noted_wall) != 0;
+    return round - note.round <= 1 || (note.what & noted_boundary) != 0;
 }
 
 /// Whether two successive vertices of the link are noted: only then can a triangle bridge a film
 /// once the vertices have moved. O(degree).
 template <class Real>
 [[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note>& notes, std::uint32_t round,
-                                    const Ring<Real>& ring) {
+                                    const Star<Real>& star) {
     const auto is_noted = [&](std::uint32_t i) {
-        return dsc::is_noted(notes[Vertex{ring.link[i]}], round);
+        return dsc::is_noted(notes[Vertex{star.link[i]}], round);
     };
-    // Of two that are successive one has an odd place, unless they close an odd ring.
-    const std::uint32_t n = ring.link_size();
+    // Of two that are successive one has an odd place, unless they close an odd star.
+    const std::uint32_t n = star.link_size();
     for (std::uint32_t i = 1; i < n; i += 2) {
         if (is_noted(i) &&
-            (is_noted(i - 1) || (i + 1 < n ? is_noted(i + 1) : ring.closed && is_noted(0)))) {
+            (is_noted(i - 1) || (i + 1 < n ? is_noted(i + 1) : star.closed && is_noted(0)))) {
             return true;
         }
     }
-    return ring.closed && n % 2 == 1 && is_noted(n - 1) && is_noted(0);
+    return star.closed && n % 2 == 1 && is_noted(n - 1) && is_noted(0);
 }
 
 /// Whether an edge of the link lies on the domain boundary. O(degree).
 template <class Real>
-[[nodiscard]] bool faces_wall(const Complex<Real>& complex, const Ring<Real>& ring) {
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-        if (is_border(complex.twin(ring.corner[i]))) {
+[[nodiscard]] bool faces_boundary(const Complex<Real>& complex, const Star<Real>& star) {
+    for (std::uint32_t i = 0; i < star.size; ++i) {
+        if (is_border(complex.twin(star.corner[i]))) {
             return true;
         }
     }
@@ -178,10 +178,10 @@ struct Bend {
     /// From one point through the next one to the last.
     Bend(Real from_x, Real from_y, Real x, Real y, Real to_x, Real to_y)
         : in_x(x - from_x), in_y(y - from_y), out_x(to_x - x), out_y(to_y - y) {}
-    /// At the centre of a ring.
-    Bend(const Ring<Real>& ring, const IncidentEdges& incident)
-        : Bend(ring.link_x(incident.first), ring.link_y(incident.first), ring.x0, ring.y0,
-               ring.link_x(incident.second), ring.link_y(incident.second)) {}
+    /// At the centre of a star.
+    Bend(const Star<Real>& star, const IncidentEdges& incident)
+        : Bend(star.link_x(incident.first), star.link_y(incident.first), star.x0, star.y0,
+               star.link_x(incident.second), star.link_y(incident.second)) {}
 
     Real in_x;  ///< to the vertex
     Real in_y;  ///< as in_x

@@ -46,8 +46,8 @@ void check_topology(const TopologyOptions<Real>& options) {
                 "a length of 0 or more");
     };
     check_contact(options.contact, "topology.contact");
-    require(std::isfinite(options.least_area) && options.least_area >= 0, "topology.least_area",
-            static_cast<double>(options.least_area), "an area of 0 or more");
+    require(std::isfinite(options.min_area) && options.min_area >= 0, "topology.min_area",
+            static_cast<double>(options.min_area), "an area of 0 or more");
     for (std::size_t i = 0; i < options.pairs.size(); ++i) {
         const auto& pair = options.pairs[i];
         check_contact(pair.contact, "topology.pairs.contact");

@@ -62,9 +62,9 @@ struct TopologyOptions {
     /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. It may
     /// be several edge lengths: the time of an event then converges, as the edges become shorter,
     /// to that of this distance, and each sub-step looks across the films from all of the
-    /// interface. Films along the domain boundary open as well, and the phase beyond wets the wall;
-    /// `may_change` or the rule of the pair keeps them. Wider than a phase is refused where a
-    /// simulation begins (contact_check.h).
+    /// interface. Films along the domain boundary open as well, and the phase beyond wets the
+    /// domain boundary; `may_change` or the rule of the pair keeps them. Wider than a phase is
+    /// refused where a simulation begins (contact_check.h).
     Real contact = 0;
     Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
     /// Where a film has opened, its seam goes on to where the film is thicker. False: it does not.
@@ -72,7 +72,7 @@ struct TopologyOptions {
     /// a filament is cut where it is thinnest, and its stumps are not eaten up.
     bool follows_seams = true;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
-    Real least_area = 0;
+    Real min_area = 0;
     /// Area that an event takes from a phase is given back to it at once: the nearest interface
     /// with the phase that took it moves, by a tenth of an edge length at most. See
     /// topology/give_back.h.
@@ -103,12 +103,12 @@ struct TopologyOptions {
 inline constexpr double default_contact = 0.4;
 /// Up to this contact distance, in edge lengths, films are seen where single triangles span them:
 /// it is the height of a triangle. Wider films are seen by rays across them (wide_films.h).
-inline constexpr double most_contact_of_triangles = 0.75;
+inline constexpr double max_contact_of_triangles = 0.75;
 
 /// Whether a contact distance, a length, is wider than triangles can show.
 template <class Real>
 [[nodiscard]] bool is_wide(Real contact, Real edge_length) {
-    return contact > static_cast<Real>(most_contact_of_triangles) * edge_length;
+    return contact > static_cast<Real>(max_contact_of_triangles) * edge_length;
 }
 
 /// The rule of a pair, and its contact distance.
@@ -127,8 +127,8 @@ template <class Real>
 
 /// The area below which a piece vanishes.
 template <class Real>
-[[nodiscard]] Real least_area(const TopologyOptions<Real>& options, Real edge_length) {
-    return options.least_area > 0 ? options.least_area : edge_length * edge_length;
+[[nodiscard]] Real min_area(const TopologyOptions<Real>& options, Real edge_length) {
+    return options.min_area > 0 ? options.min_area : edge_length * edge_length;
 }
 
 /// Throws InputError if a distance or an area is negative or not finite, or a pair is named twice

@@ -149,20 +149,20 @@ template <class Real>
 
 /// Below this area a piece of a phase vanishes.
 template <class Real>
-[[nodiscard]] Real least_area(const TopologyWork<Real>& work) {
-    return least_area(work.options, work.edge_length);
+[[nodiscard]] Real min_area(const TopologyWork<Real>& work) {
+    return min_area(work.options, work.edge_length);
 }
 
 /// Small pieces have no more triangles than this, unless their edges are very short.
-inline constexpr std::size_t most_of_piece = 96;
+inline constexpr std::size_t max_share_of_piece = 96;
 
-/// All triangles of the piece of a phase that holds `start`, into `piece`. Stops at `most_of_piece`
-/// and one more. O(their number squared).
+/// All triangles of the piece of a phase that holds `start`, into `piece`. Stops at
+/// `max_share_of_piece` and one more. O(their number squared).
 template <class Real>
 void gather_piece(const Complex<Real>& complex, Triangle start, std::vector<Triangle>& piece) {
     const Phase phase = complex.phase(start);
     piece.assign(1, start);
-    for (std::size_t i = 0; i < piece.size() && piece.size() <= most_of_piece; ++i) {
+    for (std::size_t i = 0; i < piece.size() && piece.size() <= max_share_of_piece; ++i) {
         for (std::uint32_t k = 0; k < 3; ++k) {
             const Corner across = complex.twin(corner_of(piece[i].id, k));
             const Triangle t{triangle_of(across)};
@@ -185,7 +185,7 @@ void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     rewire::relabel(complex, complex.journal, t, phase);
     for (const Vertex v : complex.vertices_of(t)) {
         std::uint32_t& flags = complex.vertices[v.id].flags;
-        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_corner);
+        flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_feature);
         work.touched.push_back(v);
     }
 }

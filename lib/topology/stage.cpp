@@ -48,7 +48,7 @@ void TopologyStage<Real>::begin(Complex<Real>& complex, const Options<Real>& opt
 template <class Real>
 void TopologyStage<Real>::settle() {
     notable_ = {.contact = largest_contact(options_, edge_length_),
-                .curvature = curvature_around(least_area(options_, edge_length_))};
+                .curvature = curvature_around(min_area(options_, edge_length_))};
 }
 
 template <class Real>
@@ -56,9 +56,9 @@ std::optional<Pass<Real>> TopologyStage<Real>::pass() {
     return Pass<Real>{
         "notes for the topology", [this](Work<Real>& work) { note_stars(work, notable_, round_); },
         true,
-        [this](Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident) {
+        [this](Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident) {
             if (notable_.contact > 0) {
-                note_star(work, ring, incident, notable_, round_, {notes_, places_});
+                note_star(work, star, incident, notable_, round_, {notes_, places_});
             }
         }};
 }

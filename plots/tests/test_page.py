@@ -185,7 +185,7 @@ class Words(Case):
     def test_three_dimensions_have_their_place(self):
         self.assertEqual(space.section(self.path("out")), "")
         self.write("out/enright-16.json", {
-            "parameters": {"h": 0.0625}, "interface_vertices_most": 1234, "sd_rel_last": 0.06,
+            "parameters": {"h": 0.0625}, "interface_vertices_max": 1234, "sd_rel_last": 0.06,
             "sd_rel_half": 0.2, "volume_ratio": 1.017, "vertex_error_rms": 0.00625, "unreached": 0,
             "min_dihedral_deg_ever": 0.8, "cpu_s": 1.9, "us_per_vertex_and_sub_step": 20.0})
         Image.new("RGB", (8, 8)).save(self.path("out/enright.png"))

@@ -161,7 +161,7 @@ class Plots(Case):
     def test_a_step_has_its_stars_and_edits_as_a_bound(self):
         counts = {"examined_per_step": 100, "flips_per_step": 10, "splits_per_step": 2, "collapses_per_step": 1}
         step = row("scaling_step/strategy:sequential/triangles:28000", [50.0], interface_vertices=40, **counts)
-        costs = [part for name, rate in (("kernel/gather_ring", 2e7), ("operation/edge_flip", 1e7),
+        costs = [part for name, rate in (("kernel/gather_star", 2e7), ("operation/edge_flip", 1e7),
                                          ("operation/edge_split", 5e6), ("operation/edge_collapse", 2e6))
                  for part in row(name, [100.0], items_per_second=rate)]
         data = {**bench(), "benchmarks": step + costs}

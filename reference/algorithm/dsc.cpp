@@ -31,17 +31,17 @@ std::set<Vertex> moving_vertices(const Complex& K, const SimplexSet& I, Moving m
 }
 
 /// Section 6.4: a vertex of the domain boundary may only move such that the domain keeps its shape.
-/// Between two collinear boundary edges it slides, in a corner it stays: a wall lets nothing
-/// through.
+/// Between two collinear boundary edges it slides, in a corner it stays: a side of the domain lets
+/// nothing through.
 Point<double> along_boundary(const Complex& K, Vertex v, const Point<double>& destination) {
-    const auto walls = K.straight_boundary(v);
-    if (!walls)
+    const auto sides = K.straight_boundary(v);
+    if (!sides)
         return K.coord(v);
-    const Point<double>& a = K.coord((*walls)[0]);
-    const Point<double>& b = K.coord((*walls)[1]);
+    const Point<double>& a = K.coord((*sides)[0]);
+    const Point<double>& b = K.coord((*sides)[1]);
     const Point<double> direction = (b - a).normalized();
     const Point<double> p = K.coord(v) + direction.dot(destination - K.coord(v)) * direction;
-    // On a slanted wall the place is rounded: then the vertex stays.
+    // On a slanted side the place is rounded: then the vertex stays.
     return orientation(a, p, b) == 0 ? p : K.coord(v);
 }
 

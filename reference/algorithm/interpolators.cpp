@@ -8,10 +8,10 @@ namespace dsc::reference {
 
 namespace {
 
-constexpr double cos_corner = 0.766044443118978; // 40 degrees
+constexpr double cos_feature = 0.766044443118978; // 40 degrees
 
-bool is_corner(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
-    return (b - a).dot(c - b) < cos_corner * (b - a).norm() * (c - b).norm();
+bool is_feature(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
+    return (b - a).dot(c - b) < cos_feature * (b - a).norm() * (c - b).norm();
 }
 
 } // namespace
@@ -51,7 +51,7 @@ Point<double> lagrange_point(const Point<double>& p0, const Point<double>& p1,
 
 Point<double> cubic_point(const Point<double>& p0, const Point<double>& p1, const Point<double>& p2,
                           const Point<double>& p3) {
-    if (is_corner(p0, p1, p2) || is_corner(p1, p2, p3)) {
+    if (is_feature(p0, p1, p2) || is_feature(p1, p2, p3)) {
         return 0.5 * (p1 + p2);
     }
     return lagrange_point(p0, p1, p2, p3);

@@ -17,7 +17,7 @@ double movable_fraction(const Complex& K, Vertex v, const Point<double>& destina
         // Twice the area is altitude times base, so that area / base^2 is altitude / base.
         const double before = cross(a, b, K.coord(v));
         const double after = cross(a, b, destination);
-        const double limit = std::min(least_altitude * (b - a).squaredNorm(), 0.5 * before);
+        const double limit = std::min(min_altitude * (b - a).squaredNorm(), 0.5 * before);
         if (after < limit) {
             fraction = std::min(fraction, (before - limit) / (before - after));
         }

@@ -12,7 +12,7 @@ namespace dsc::reference {
 /// Altitude over base, with the base opposite to the moving vertex, that a move must leave to every
 /// triangle (or half of what the triangle had, if that is less): small enough to let vertices pass
 /// close by edges, large enough that what remains can be repaired.
-inline constexpr double least_altitude = 0.02;
+inline constexpr double min_altitude = 0.02;
 
 /// The vertices that are under way, with their destinations.
 using Destinations = std::map<Vertex, Point<double>>;

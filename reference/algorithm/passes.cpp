@@ -133,7 +133,7 @@ Verdict collapse_poor(const TriangleKey& t, Complex& K) {
             continue;
         for (std::size_t i = 0; i < 2; ++i) {
             const double q = quality_if_collapsed(K, e.v[i], e.v[1 - i]);
-            if (q > ring_quality(K, e.v[i]))
+            if (q > star_quality(K, e.v[i]))
                 candidates.push_back({q, e, e.v[i]});
         }
     }
@@ -281,7 +281,7 @@ void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
 
 void smoothing(Complex& K, const PassOptions& options, PassCounts& counts) {
     // One sweep over all phases, as above.
-    const Measure<Vertex> Q = [&](const Vertex& v) { return ring_quality(K, v); };
+    const Measure<Vertex> Q = [&](const Vertex& v) { return star_quality(K, v); };
     counts.smoothed +=
         mesh_update(BelowThreshold<Vertex>(K.vertices(), Q, options.smoothing_quality, K),
                     laplacian_smoothing, K);

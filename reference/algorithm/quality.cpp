@@ -36,7 +36,7 @@ double quality(const Complex& K, const TriangleKey& t) {
     return quality(K.coord(t.v[0]), K.coord(t.v[1]), K.coord(t.v[2]));
 }
 
-double ring_quality(const Complex& K, Vertex v) {
+double star_quality(const Complex& K, Vertex v) {
     double least = std::numeric_limits<double>::infinity();
     for (const TriangleKey& t : K.triangles_at(v)) {
         least = std::min(least, quality(K, t));

@@ -22,7 +22,7 @@ double quality(const Point<double>& a, const Point<double>& b, const Point<doubl
 double quality(const Complex& K, const TriangleKey& t);
 
 /// The smallest quality of the triangles around a vertex; infinity if it has none.
-double ring_quality(const Complex& K, Vertex v);
+double star_quality(const Complex& K, Vertex v);
 
 /// The Delaunay condition as a quality of an edge: negative where the two angles opposite to it sum
 /// to more than 180 degrees, i.e. where flipping would improve equation 4; in [-1, 1] and free of

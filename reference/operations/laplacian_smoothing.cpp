@@ -32,10 +32,10 @@ Verdict laplacian_smoothing(Vertex v, Complex& K) {
     if (std::ranges::any_of(T, inverted))
         return Verdict::inverts;
 
-    const double before = ring_quality(K, v);
+    const double before = star_quality(K, v);
     const Point<double> c = K.coord(v);
     K.set_coord(v, p);
-    if (!(ring_quality(K, v) > before)) {
+    if (!(star_quality(K, v) > before)) {
         K.set_coord(v, c);
         return Verdict::no_gain;
     }

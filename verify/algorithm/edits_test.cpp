@@ -201,10 +201,10 @@ TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
         }
     }
     ASSERT_TRUE(victim.is_valid());
-    Ring<double> ring;
-    ASSERT_TRUE(gather(complex, Region{}, victim.id, ring));
+    Star<double> star;
+    ASSERT_TRUE(gather(complex, Region{}, victim.id, star));
     // Nearly on one of its neighbours.
-    const Point<double> near(ring.x[0], ring.y[0]);
+    const Point<double> near(star.x[0], star.y[0]);
     complex.set_position(victim, near + 0.06 * (complex.position(victim) - near));
     ASSERT_EQ(validate(complex).problem, "");
     const auto worst = [&] {

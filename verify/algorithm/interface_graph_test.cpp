@@ -158,13 +158,13 @@ TEST(InterfaceGraph, TwoSheetsThatTouchAreAJunction) {
 TEST(InterfaceGraph, CornersAndLocksAreMarked) {
     auto complex = test::disc_complex<double>(0.1);
     const auto list = collect_interface(complex);
-    complex.vertices[list[2]].flags |= vertex_corner;
+    complex.vertices[list[2]].flags |= vertex_feature;
     complex.set_locked(Vertex{list[3]}, true);
     const Seen seen(complex, list);
     const auto view = seen.view();
     EXPECT_EQ(test::view_fault(view), "");
-    EXPECT_TRUE(view.is_corner(2));
-    EXPECT_FALSE(view.is_corner(3));
+    EXPECT_TRUE(view.is_feature(2));
+    EXPECT_FALSE(view.is_feature(3));
     EXPECT_EQ(view.flags[3], interface_locked);
     EXPECT_EQ(view.flags[4], 0);
 }

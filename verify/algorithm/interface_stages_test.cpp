@@ -145,7 +145,7 @@ TEST(InterfaceStages, AVelocityForAllAtOnceMovesTheSameBitsInOneCallAStage) {
             auto other = test::disc_complex<double>(coarse);
             auto options = options_for<double>(coarse);
             scenes::choose_integrator(options, integrator);
-            options.carried_phases.assign(carries ? 1 : 0, Phase{1});
+            options.advected_phases.assign(carries ? 1 : 0, Phase{1});
             Simulation<double> in_parts(one, options, in_four);
             Simulation<double> together(other, options, in_four);
             for (int step = 0; step < 8; ++step) {

@@ -80,11 +80,11 @@ TEST(Rows, HoldAllPairsOfValuesThatMakeSense) {
 
 TEST(Rows, AreWhatTheirWordsSay) {
     const std::string words =
-        "place=on_wall motion=swirl way=copy precision=in_float inside=carried";
+        "place=on_boundary motion=swirl way=copy precision=in_float inside=advected";
     const Values values = values_of(words);
     EXPECT_EQ(words_of(values), words);
     EXPECT_EQ(row_of(values).motion, Motion::swirl);
-    EXPECT_EQ(row_of(values).inside, Inside::carried);
+    EXPECT_EQ(row_of(values).inside, Inside::advected);
     for (const std::string wrong : {"speed=high", "place", "place=moon"}) {
         EXPECT_THROW((void)values_of(wrong), InputError) << wrong;
     }

@@ -19,13 +19,14 @@ namespace dsc::combinations {
 
 /// Where the interface lies in the domain.
 enum class Place : std::uint8_t {
-    square,    ///< a disc inside the unit square
-    pair,      ///< two discs beside each other, which meet where they grow
-    by_wall,   ///< a disc beside a wall, which it meets where it grows or moves there
-    slender,   ///< a disc inside a rectangle of 100:1
-    on_wall,   ///< half a disc on a wall
-    in_corner, ///< a quarter of a disc in a corner of the domain
-    layer,     ///< a straight layer along a wall, that ends on two others
+    square,      ///< a disc inside the unit square
+    pair,        ///< two discs beside each other, which meet where they grow
+    by_boundary, ///< a disc beside the domain boundary, which it meets where it grows or moves
+                 ///< there
+    slender,     ///< a disc inside a rectangle of 100:1
+    on_boundary, ///< half a disc on the domain boundary
+    in_corner,   ///< a quarter of a disc in a corner of the domain
+    layer,       ///< a straight layer along a side of the domain, that ends on two others
 };
 
 enum class Phases : std::uint8_t {
@@ -36,7 +37,7 @@ enum class Phases : std::uint8_t {
 
 enum class Motion : std::uint8_t {
     rest,
-    right,     ///< a translation; on a wall along it
+    right,     ///< a translation; on the domain boundary along it
     down,      ///< a translation
     turn,      ///< by three quarters about the middle of the square
     swirl,     ///< there and back
@@ -68,7 +69,7 @@ enum class Rule : std::uint8_t {
     forbidden,  ///< it may change, but the application's predicate says no
     given_back, ///< with the areas given back
     wide,       ///< a contact distance of more than an edge
-    least_area, ///< pieces of several edge lengths squared vanish
+    min_area,   ///< pieces of several edge lengths squared vanish
 };
 
 enum class Outline : std::uint8_t {
@@ -97,7 +98,7 @@ enum class Interruption : std::uint8_t {
 enum class Turned : std::uint8_t { not_at_all, quarter, half, three_quarters, mirrored };
 
 /// Whether the inside of phase 1 moves with the flow as well.
-enum class Inside : std::uint8_t { still, carried };
+enum class Inside : std::uint8_t { still, advected };
 
 /// The first value of each feature is the plain one.
 struct Row {

@@ -12,7 +12,7 @@ namespace dsc::combinations {
 
 std::string_view nonsense_in(const Row& row) {
     const bool is_in_square =
-        row.place == Place::square || row.place == Place::pair || row.place == Place::by_wall;
+        row.place == Place::square || row.place == Place::pair || row.place == Place::by_boundary;
     const bool is_layer = row.place == Place::layer;
     const bool is_cut = row.phases == Phases::junctions && row.place != Place::pair;
     const bool deforms = is_normal(row) || is_by_curvature(row);
@@ -27,21 +27,21 @@ std::string_view nonsense_in(const Row& row) {
                       "the swirl fills the square"},
         Contradiction{is_translation(row) && row.place == Place::in_corner,
                       "what meets a corner of the domain cannot be translated"},
-        Contradiction{row.motion == Motion::down && row.place == Place::on_wall,
-                      "what lies on a wall is translated along it alone"},
+        Contradiction{row.motion == Motion::down && row.place == Place::on_boundary,
+                      "what lies on the domain boundary is translated along it alone"},
         Contradiction{deforms && is_cut && row.place == Place::in_corner,
                       "a junction that is held in a corner of the domain moves along no normal"},
         Contradiction{row.phases == Phases::nested && row.place == Place::pair,
                       "a pair is of one phase or of two"},
         Contradiction{is_layer && row.coarsening == Coarsening::never &&
                           row.motion == Motion::right,
-                      "vertices that run into a wall have to go"},
+                      "vertices that run into the domain boundary have to go"},
         Contradiction{is_cut && row.coarsening == Coarsening::never &&
                           (row.motion == Motion::shrink || is_by_curvature(row) ||
                            (is_layer && is_translation(row))),
                       "a junction that moves along a curve meets vertices that have to go"},
-        Contradiction{is_layer && row.inside == Inside::carried && is_translation(row),
-                      "the inside of a phase runs into a wall, or leaves one"},
+        Contradiction{is_layer && row.inside == Inside::advected && is_translation(row),
+                      "the inside of a phase runs into the domain boundary, or leaves one"},
         Contradiction{row.outline == Outline::corners && is_layer,
                       "a straight line has no corners"},
         Contradiction{row.outline == Outline::corners && deforms,
@@ -56,7 +56,7 @@ std::string_view nonsense_in(const Row& row) {
         Contradiction{is_normal(row) && row.told != Told::seeing, "growth sees the interface"},
         Contradiction{is_by_curvature(row) && row.told != Told::motion,
                       "curvature flow is a motion of the whole interface"},
-        Contradiction{row.inside == Inside::carried && row.told != Told::positions,
+        Contradiction{row.inside == Inside::advected && row.told != Told::positions,
                       "refused: a flow that sees the interface carries nothing"},
         Contradiction{row.way == Way::sequential && row.submeshes != Submeshes::own_choice,
                       "the sequential method has no submeshes"},

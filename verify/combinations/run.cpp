@@ -10,7 +10,7 @@
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"
 #include "replay/replay.h"
 
 #include <algorithm>

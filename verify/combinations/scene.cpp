@@ -28,10 +28,10 @@ Shape shape_at(Place place) {
     switch (place) {
     case Place::slender:
         return {.centre = {20.07, 0.2}, .radius = 0.12, .size = {40, 0.4}, .h = 0.025};
-    case Place::on_wall: return {.centre = {0.47, 0}, .to = pi};
+    case Place::on_boundary: return {.centre = {0.47, 0}, .to = pi};
     case Place::in_corner: return {.centre = {0, 0}, .radius = 0.4, .to = pi / 2};
     case Place::pair: return {.centre = {0.5, 0.5}, .radius = 0.12};
-    case Place::by_wall: return {.centre = {0.47, 0.32}};
+    case Place::by_boundary: return {.centre = {0.47, 0.32}};
     case Place::square:
     case Place::layer: break;
     }
@@ -51,7 +51,7 @@ std::vector<P> arc(const Shape& shape, double radius, double from, double to, Ou
     std::vector<P> points;
     for (int i = 0; i <= n; ++i) {
         const double angle = from + (to - from) * i / n;
-        // Exactly on the walls.
+        // Exactly on the sides of the domain.
         const auto exactly = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
         points.emplace_back(shape.centre +
                             radius * P(exactly(std::cos(angle)), exactly(std::sin(angle))));
@@ -121,7 +121,7 @@ std::vector<Curve> curves_of(const Row& row, const Shape& shape) {
 
 // --- the motion ----------------------------------------------------------------------------------
 
-// What lies on a wall stays on it, and nothing leaves the domain.
+// What lies on the domain boundary stays on it, and nothing leaves the domain.
 P kept_inside(const P& start, const P& end, const P& size) {
     P kept = end.cwiseMax(P(0, 0)).cwiseMin(size);
     for (int k = 0; k < 2; ++k) {
@@ -140,7 +140,7 @@ void meet(Scene& scene, double radius, double distance) {
 }
 
 void translate(Scene& scene, const Row& row, const Shape& shape) {
-    // Not as far as to a wall: nothing meets there by the widest contact distance.
+    // Not as far as to the domain boundary: nothing meets there by the widest contact distance.
     const bool is_slender = row.place == Place::slender;
     const P way = row.motion == Motion::right  ? P(is_slender ? 0.3 : 0.12, 0)
                   : row.motion == Motion::down ? P(0, is_slender ? -0.03 : -0.15)
@@ -148,16 +148,18 @@ void translate(Scene& scene, const Row& row, const Shape& shape) {
     scene.velocity = [way](const P&, double) { return way; };
     scene.exact = [way, size = shape.size](const P& p) { return kept_inside(p, p + way, size); };
     if (row.motion == Motion::right) {
-        scene.runs_into_wall = row.place == Place::layer;
-    } else if (row.motion == Motion::down && row.place == Place::by_wall) {
+        scene.runs_into_boundary = row.place == Place::layer;
+    } else if (row.motion == Motion::down && row.place == Place::by_boundary) {
         meet(scene, shape.radius, shape.centre.y() + way.y());
-        scene.meets_wall = true;
-        scene.runs_into_wall = row.inside == Inside::carried;
+        scene.meets_boundary = true;
+        scene.runs_into_boundary = row.inside == Inside::advected;
     } else if (row.motion == Motion::down && row.place == Place::layer &&
                row.phases == Phases::junctions) {
-        // The curve below the layer shortens from its end on the wall: its last vertex is collapsed
-        // before it runs into the wall, unless a step is longer than short edges.
-        scene.runs_into_wall = -way.y() / scene.steps > InterfaceThresholds{}.shortest * shape.h;
+        // The curve below the layer shortens from its end on the domain boundary: its last vertex
+        // is collapsed before it runs into the domain boundary, unless a step is longer than short
+        // edges.
+        scene.runs_into_boundary =
+            -way.y() / scene.steps > InterfaceThresholds{}.shortest * shape.h;
     }
 }
 
@@ -170,7 +172,7 @@ void turn(Scene& scene) {
     scene.exact = [](const P& p) { return P(p.y(), 1 - p.x()); }; // a quarter of a turn clockwise
 }
 
-// By the stream function s sin(pi x) sin(pi y): along the walls there is slip.
+// By the stream function s sin(pi x) sin(pi y): along the sides of the domain there is slip.
 void swirl(Scene& scene, const Row& row) {
     constexpr double strength = 0.1;
     scene.velocity = [](const P& p, double t) {
@@ -223,9 +225,9 @@ void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
     }
     if (by > 0 && row.place == Place::pair) {
         meet(scene, radius, aside);
-    } else if (by > 0 && row.place == Place::by_wall) {
+    } else if (by > 0 && row.place == Place::by_boundary) {
         meet(scene, radius, shape.centre.y());
-        scene.meets_wall = true;
+        scene.meets_boundary = true;
     }
 }
 
@@ -241,7 +243,7 @@ void bend(Scene& scene, const Row& row, const Shape& shape) {
         scene.curvature = 1 / std::sqrt(smallest * smallest - 2 * scene.end);
     }
     if (row.phases == Phases::junctions && row.place == Place::layer) {
-        // A sixth of a half turn, at right angles to the walls.
+        // A sixth of a half turn, at right angles to the sides of the domain.
         const double each = pi / 6 * scene.end;
         scene.area_changes = {2 * each, -each, -each};
     } else if (row.phases == Phases::junctions && row.place != Place::pair) {

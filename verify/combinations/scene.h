@@ -25,8 +25,8 @@ struct Scene {
     double end = 1; ///< the time
     int steps = 24;
 
-    /// Where a place of the interface is at the end. Places on a wall stay on it; where pieces of
-    /// a phase overlap then, they are one.
+    /// Where a place of the interface is at the end. Places on the domain boundary stay on it;
+    /// where pieces of a phase overlap then, they are one.
     std::function<Point<double>(const Point<double>&)> exact;
     /// By place and time; none for `grow`, `shrink`, `curvature` and `vanish`.
     std::function<Point<double>(const Point<double>&, double)> velocity;
@@ -35,16 +35,16 @@ struct Scene {
     double curvature = 0;
     double longest_at_start = 1; ///< interface edge, in edge lengths
     double stretch = 1;          ///< the largest factor by which a piece of a curve becomes longer
-    /// The shape meets itself or a wall, or a piece of it vanishes: where the topology may change,
-    /// that is told; where it is kept, vertices are in each other's way.
+    /// The shape meets itself or a side of the domain, or a piece of it vanishes: where the
+    /// topology may change, that is told; where it is kept, vertices are in each other's way.
     bool meets = false;
     /// If it meets something: the length along which, and the angle between each sheet and that
-    /// line at its two ends, at the end of the run. A wall is the line itself.
+    /// line at its two ends, at the end of the run. A side of the domain is the line itself.
     double seam = 0;
     double seam_angle = std::numbers::pi / 2;
-    bool meets_wall = false;
-    /// Vertices have targets beyond a wall, and need not arrive.
-    bool runs_into_wall = false;
+    bool meets_boundary = false;
+    /// Vertices have targets beyond a side of the domain, and need not arrive.
+    bool runs_into_boundary = false;
 
     /// By how much the areas change that no map tells, by phase: those of curvature flow at
     /// junctions, by the rule of J. von Neumann (1952) and W. W. Mullins (1956). Empty: `exact`

@@ -52,9 +52,9 @@ template <class Real>
     scenes::choose_integrator(options, row.integrator);
     options.insertion = row.insertion;
     options.interface.coarsening = row.coarsening;
-    options.interface.corner_degrees = 40;
-    if (row.inside == Inside::carried) {
-        options.carried_phases = {1};
+    options.interface.feature_degrees = 40;
+    if (row.inside == Inside::advected) {
+        options.advected_phases = {1};
     }
     auto& topology = options.topology;
     topology.rule = row.topology == Rule::keep ? Topology::keep : Topology::change;
@@ -64,7 +64,7 @@ template <class Real>
     case Rule::forbidden: topology.may_change = [](const Contact&) { return false; }; break;
     case Rule::given_back: topology.gives_back_area = true; break;
     case Rule::wide: topology.contact = static_cast<Real>(contact_of(row)) * h; break;
-    case Rule::least_area: topology.least_area = 4 * h * h; break;
+    case Rule::min_area: topology.min_area = 4 * h * h; break;
     }
     return options;
 }

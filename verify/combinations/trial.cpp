@@ -22,7 +22,7 @@ using P = Point<double>;
 
 // --- how far a shape may be off -----------------------------------------------------------------
 
-// By reasons: nothing but rounding where straight curves are carried along, and elsewhere what
+// By reasons: nothing but rounding where straight curves are advected, and elsewhere what
 // chords, cut corners, films and methods of a known order account for. In edge lengths.
 struct Tolerance {
     double mean = 0;     ///< symmetric difference over the length of the curve
@@ -40,15 +40,16 @@ const InterfaceThresholds remeshing;
 
 // Coordinates are rounded when a target is found and when it is reached: by half a unit in the last
 // place of the largest one, twice, in either direction. Curvature flow gives the ends of curves on
-// a wall a tension along it of 1e-9 (curve_network.h), so that no system is singular: over the time
-// it moves them so far, where edges are of length 1.
+// a side of the domain a tension along it of 1e-9 (curve_network.h), so that no system is singular:
+// over the time it moves them so far, where edges are of length 1.
 double rounding(const Row& row, const Scene& scene, std::size_t sub_steps) {
     const double epsilon = row.precision == Precision::in_double
                                ? std::numeric_limits<double>::epsilon()
                                : std::numeric_limits<float>::epsilon();
     const double size = std::max(scene.domain.high.x(), scene.domain.high.y()) / scene.h;
-    const double wall_tension = is_by_curvature(row) ? 1e-9 * scene.end / (scene.h * scene.h) : 0;
-    return 2 * epsilon * size * static_cast<double>(sub_steps) + wall_tension;
+    const double boundary_tension =
+        is_by_curvature(row) ? 1e-9 * scene.end / (scene.h * scene.h) : 0;
+    return 2 * epsilon * size * static_cast<double>(sub_steps) + boundary_tension;
 }
 
 // An arc of curvature k and its chord c are k c^2 / 8 apart in the middle and k c^2 / 12 on the
@@ -75,7 +76,7 @@ Tolerance meeting(const Row& row, const Scene& scene, double length) {
     }
     const double thickness = may_change(row) ? contact_of(row) : PhaseThresholds{}.shortest;
     // Of two phases each may have the whole film to its own side of the middle.
-    const bool are_two = row.phases == Phases::junctions && !scene.meets_wall;
+    const bool are_two = row.phases == Phases::junctions && !scene.meets_boundary;
     const double film = thickness * scene.seam / scene.h / (are_two ? 2 : 1);
     double area = 0;
     if (!may_change(row) || are_two) {
@@ -85,12 +86,12 @@ Tolerance meeting(const Row& row, const Scene& scene, double length) {
         area += film; // and is found elsewhere
     }
     // At either end of the seam a wedge is left, which goes as well as far as a triangle across it
-    // is no higher than the film. One of its edges may lie along a sheet or the wall, and be as
-    // long as any there...
-    const double edge = scene.meets_wall ? PhaseThresholds{}.longest : remeshing.longest;
+    // is no higher than the film. One of its edges may lie along a sheet or the domain boundary,
+    // and be as long as any there...
+    const double edge = scene.meets_boundary ? PhaseThresholds{}.longest : remeshing.longest;
     area += thickness * std::max(edge, thickness); // half of it at either end
-    // ...and from then on two phases, or a sheet and the wall, meet at its far end.
-    const double sideways = are_two || scene.meets_wall ? edge * std::sin(scene.seam_angle) : 0;
+    // ...and from then on two phases, or a sheet and the domain boundary, meet at its far end.
+    const double sideways = are_two || scene.meets_boundary ? edge * std::sin(scene.seam_angle) : 0;
     return {area / length, std::max(thickness, sideways)};
 }
 
@@ -180,7 +181,7 @@ private:
 
     void check_counts() {
         const bool changes = scene_.meets && may_change(row_);
-        const bool arrives = !scene_.runs_into_wall && (!scene_.meets || may_change(row_));
+        const bool arrives = !scene_.runs_into_boundary && (!scene_.meets || may_change(row_));
         expect(!arrives || outcome_.unreached == 0, outcome_.unreached, " vertices did not arrive");
         expect(outcome_.held == 0, outcome_.held, " vertices were held");
         expect(!changes || outcome_.events > 0, "no event is told");

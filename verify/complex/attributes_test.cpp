@@ -49,7 +49,7 @@ TEST(Attributes, HaveTheRoomThatWasReservedBefore) {
 TEST(Attributes, AreFieldsInACopyAsWell) {
     auto complex = hexagon<double>();
     complex.attributes.add<Vertex, double>("kept");
-    complex.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::carried);
+    complex.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::advected);
     const Complex<double> copy = complex;
     Complex<double> assigned;
     assigned = complex;
@@ -59,7 +59,7 @@ TEST(Attributes, AreFieldsInACopyAsWell) {
         ASSERT_EQ(set->list().size(), 2U);
         EXPECT_FALSE(set->list()[0]->is_field());
         EXPECT_TRUE(set->list()[1]->is_field());
-        EXPECT_EQ(set->list()[1]->on_interface(), OnInterface::carried);
+        EXPECT_EQ(set->list()[1]->on_interface(), OnInterface::advected);
     }
 }
 

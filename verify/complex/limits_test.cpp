@@ -15,25 +15,25 @@ namespace {
 
 TEST(RingLimits, BeyondTheEndsOfAnOpenStarLiesTheBorder) {
     const auto complex = test::grid<double>(3, 0, 1, 1.2);
-    Ring<double> ring;
+    Star<double> star;
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        ASSERT_TRUE(gather(complex, Region{}, v, ring));
-        if (!ring.closed) {
-            EXPECT_EQ(ring.phase_before(0), border_phase);
-            EXPECT_EQ(ring.phase_after(ring.size), border_phase);
-            EXPECT_TRUE(ring.is_constrained(0));
-            EXPECT_TRUE(ring.is_constrained(ring.size));
+        ASSERT_TRUE(gather(complex, Region{}, v, star));
+        if (!star.closed) {
+            EXPECT_EQ(star.phase_before(0), border_phase);
+            EXPECT_EQ(star.phase_after(star.size), border_phase);
+            EXPECT_TRUE(star.is_constrained(0));
+            EXPECT_TRUE(star.is_constrained(star.size));
         }
     }
 }
 
 TEST(RingLimits, AStarOfOneTriangleTooManyIsNotGathered) {
-    constexpr auto most = static_cast<std::uint32_t>(Ring<double>::capacity);
-    Ring<double> ring;
-    EXPECT_TRUE(gather(test::wheel<double>(most), Region{}, 0, ring));
-    EXPECT_EQ(ring.size, most);
-    EXPECT_FALSE(gather(test::wheel<double>(most + 1), Region{}, 0, ring));
-    EXPECT_FALSE(gather(test::wheel<double>(most + 2), Region{}, 0, ring));
+    constexpr auto most = static_cast<std::uint32_t>(Star<double>::capacity);
+    Star<double> star;
+    EXPECT_TRUE(gather(test::wheel<double>(most), Region{}, 0, star));
+    EXPECT_EQ(star.size, most);
+    EXPECT_FALSE(gather(test::wheel<double>(most + 1), Region{}, 0, star));
+    EXPECT_FALSE(gather(test::wheel<double>(most + 2), Region{}, 0, star));
 }
 
 // All coordinates are binary fractions, so that both meshes lie alike in their boxes, exactly.

@@ -122,20 +122,20 @@ TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
             const Region simplest = drawn.region.simplest();
             EXPECT_EQ(simplest.kind == Region::Kind::upright,
                       form == Form::slab || form == Form::block);
-            Ring<double> ring;
+            Star<double> star;
             for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
                 if (!complex.is_alive(Vertex{v})) {
                     continue;
                 }
-                ASSERT_TRUE(gather(complex, Region{}, v, ring));
+                ASSERT_TRUE(gather(complex, Region{}, v, star));
                 bool expected = owns(complex, drawn.region, v);
-                for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-                    expected = expected && owns(complex, drawn.region, ring.link[i]);
+                for (std::uint32_t i = 0; i < star.link_size(); ++i) {
+                    expected = expected && owns(complex, drawn.region, star.link[i]);
                 }
-                (void)gather(complex, drawn.region, v, ring);
-                ASSERT_EQ(ring.owned, expected) << "vertex " << v;
-                (void)gather(complex, simplest, v, ring);
-                ASSERT_EQ(ring.owned, expected) << "vertex " << v;
+                (void)gather(complex, drawn.region, v, star);
+                ASSERT_EQ(star.owned, expected) << "vertex " << v;
+                (void)gather(complex, simplest, v, star);
+                ASSERT_EQ(star.owned, expected) << "vertex " << v;
                 ++stars.at(expected ? 1 : 0);
             }
         }

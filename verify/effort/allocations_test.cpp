@@ -25,8 +25,8 @@ using test::Way;
 constexpr double h = 0.03;
 constexpr int steps_of_a_period = 40;
 constexpr int warm_periods = 6;
-constexpr int most_allocating_steps = steps_of_a_period / 3;
-constexpr std::uint64_t most_allocations = 200;
+constexpr int max_allocating_steps = steps_of_a_period / 3;
+constexpr std::uint64_t max_allocations = 200;
 
 struct Choice {
     std::string name;
@@ -55,7 +55,7 @@ std::vector<Choice> choices() {
              o.topology.contact = 2 * h;
          }},
         {"attributes", [](auto&) {}, true, true},
-        {"carried", [](auto& o) { o.carried_phases = {1}; }, false, true},
+        {"advected", [](auto& o) { o.advected_phases = {1}; }, false, true},
     };
 }
 
@@ -130,8 +130,8 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
             SCOPED_TRACE(choice.name + ", " + std::string(division->name));
             const Counted counted = count(choice, division);
             EXPECT_GT(counted.edits, 500U) << "hardly anything was done";
-            EXPECT_LE(counted.allocating_steps, most_allocating_steps);
-            EXPECT_LE(counted.allocations, most_allocations);
+            EXPECT_LE(counted.allocating_steps, max_allocating_steps);
+            EXPECT_LE(counted.allocations, max_allocations);
         }
     }
 }

@@ -55,7 +55,7 @@ OWN = {
     "motion": ["test_motion", "test_algorithm", "test_velocities"],
     "sizes": ["test_sizes", "test_figures.Sizes/GradedMesh"],
     "passes": ["test_passes", "test_warm_steps", "test_sizes"], "algorithm": ["test_algorithm", "test_passes"],
-    "parallel": ["test_parallel"], "topology": ["test_topology", "test_wall_films"],
+    "parallel": ["test_parallel"], "topology": ["test_topology", "test_boundary_films"],
     "fluid": ["test_fluid"], "geometric_flows": ["test_velocities", "test_algorithm"],
     "thesis": ["test_thesis", "test_copies", "test_operations", "test_fuzz", "test_reference"],
     "io": ["test_io", "test_checkpoints"], "measures": ["test_measures"],

@@ -65,17 +65,17 @@ TEST(Velocity, FallingComesToRestAtTheSurface) {
     for (const double height : {0.3, 0.301, 0.35, 0.5, 1.5}) {
         const Point<double> first(0.7, height);
         for (const double time : {0.0, 0.05, 0.3}) {
-            const Point<double> there = fall.carried(first, time);
+            const Point<double> there = fall.advected(first, time);
             const Outline at{there};
             const Point<double> velocity = velocities(fall, at, time).front();
             const Point<double> change =
-                (fall.carried(first, time + d) - fall.carried(first, time - d)) / (2 * d);
+                (fall.advected(first, time + d) - fall.advected(first, time - d)) / (2 * d);
             EXPECT_NEAR((velocity - change).norm(), 0, 1e-8) << height << ", " << time;
             EXPECT_GE(there.y(), 0.3 - 1e-15);
         }
-        EXPECT_NEAR((fall.carried(first, 0) - first).norm(), 0, 1e-14);
+        EXPECT_NEAR((fall.advected(first, 0) - first).norm(), 0, 1e-14);
     }
-    EXPECT_NEAR(fall.carried({0, 1.5}, 0.3).y(), 0.9, 1e-5);
+    EXPECT_NEAR(fall.advected({0, 1.5}, 0.3).y(), 0.9, 1e-5);
 }
 
 TEST(Velocity, SwirlIsTheDerivativeOfItsStreamFunction) {
@@ -169,7 +169,7 @@ TEST(Exact, RigidMotions) {
 
 /// Every limit on a symmetric difference rests on these shapes, so they are found a second time, by
 /// code that shares nothing with them: the formula of the velocity written out, and far more steps.
-Point<double> carried(Point<double> p, double time, double period) {
+Point<double> advected(Point<double> p, double time, double period) {
     constexpr int steps = 2000;
     const double dt = time / steps;
     const auto velocity = [&](const Point<double>& at, double t) {
@@ -192,17 +192,17 @@ Point<double> carried(Point<double> p, double time, double period) {
 struct Swirled {
     double period; ///< 0: steady
     double time;
-    double most_error; ///< of own_error
+    double max_error; ///< of own_error
 };
 
 class FarthestOut : public testing::TestWithParam<Swirled> {};
 
 TEST_P(FarthestOut, IsKnownToItsOwnError) {
-    const auto [period, time, most_error] = GetParam();
+    const auto [period, time, max_error] = GetParam();
     const ParametricCurve curve = circle_curve({0.5, 0.75}, 0.15);
     const Flow flow = steady(Swirl{1.0, period});
     const ExactShape shape = advected_shape(curve, flow, time);
-    EXPECT_LT(shape.own_error, most_error);
+    EXPECT_LT(shape.own_error, max_error);
     EXPECT_NEAR(signed_area(shape.outlines), shape.area, 1e-9);
     const MarkerOptions options;
     const ExactShape finer =
@@ -211,7 +211,7 @@ TEST_P(FarthestOut, IsKnownToItsOwnError) {
     EXPECT_LT(symmetric_difference(shape.outlines, finer.outlines), shape.own_error);
     double farthest = 0.0;
     for (int i = 0; i < 40; ++i) {
-        const Point<double> p = carried(curve.point((i + 0.37) / 40), time, period);
+        const Point<double> p = advected(curve.point((i + 0.37) / 40), time, period);
         farthest = std::max(farthest, test::distance_from(shape.outlines.front(), p));
     }
     EXPECT_LT(farthest, 2e-8);

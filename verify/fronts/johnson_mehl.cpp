@@ -7,7 +7,7 @@
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/growth.h"
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"
 #include "measures/mesh_quality.h"
 #include "replay/replay.h"
 #include "shapes/shapes.h"
@@ -115,12 +115,12 @@ void measure_seams(const Discs& discs, const std::map<std::uint32_t, std::set<Ph
             ++distance.triples;
             continue;
         }
-        constexpr double least_slope = 0.2; // behind a disc its bisector is far from straight
+        constexpr double min_slope = 0.2; // behind a disc its bisector is far from straight
         const auto towards = [&](Phase phase) -> Point<double> {
             return (p - discs.centres[phase - 1U]).normalized();
         };
         const double slope = (towards(*phases.begin()) - towards(*phases.rbegin())).norm();
-        const double off = (last - first) / std::max(least_slope, slope);
+        const double off = (last - first) / std::max(min_slope, slope);
         distance.seam_max = std::max(distance.seam_max, off);
         sum += off * off;
         ++vertices;

@@ -31,8 +31,8 @@ namespace dsc::fuzz {
 
 namespace {
 
-constexpr std::uint32_t most_triangles = 400;
-constexpr int most_edits = 300;
+constexpr std::uint32_t max_triangles = 400;
+constexpr int max_edits = 300;
 
 template <class Real>
 class Session {
@@ -68,7 +68,7 @@ public:
         case 8: {
             const Vertex v = vertex();
             interface_smoothing(complex_, v,
-                                {.corner_degrees = bytes_.in(0, 180), .step = bytes_.in(0, 1)});
+                                {.feature_degrees = bytes_.in(0, 180), .step = bytes_.in(0, 1)});
             break;
         }
         case 9:
@@ -147,7 +147,7 @@ private:
                r * (complex_.position(c) - complex_.position(a));
     }
 
-    [[nodiscard]] bool is_full() const { return complex_.triangle_count() > most_triangles; }
+    [[nodiscard]] bool is_full() const { return complex_.triangle_count() > max_triangles; }
 
     void split(Edge e) {
         if (is_full()) {
@@ -283,7 +283,7 @@ std::uint64_t run_session(Bytes& bytes) {
     Session<Real> session(test::random_complex<Real>(seed, options), bytes);
     session.check(0);
     int edits = 0;
-    for (; edits < most_edits && !bytes.empty(); ++edits) {
+    for (; edits < max_edits && !bytes.empty(); ++edits) {
         session.edit();
         session.check(edits + 1);
     }

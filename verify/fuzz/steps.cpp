@@ -87,7 +87,7 @@ test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
     }
     draw_sizes(dice, h, options.sizes);
     if (dice.chance(0.15)) {
-        options.carried_phases.push_back(static_cast<Phase>(dice.in(0, 3)));
+        options.advected_phases.push_back(static_cast<Phase>(dice.in(0, 3)));
     }
     return options;
 }
@@ -142,7 +142,7 @@ template <class Real>
 void check(const Complex<Real>& complex, const Simulation<Real>& simulation,
            const Options<Real>& options, const StepReport& report, bool is_copied) {
     std::string problem = validate(complex).problem;
-    if (problem.empty() && options.carried_phases.empty()) {
+    if (problem.empty() && options.advected_phases.empty()) {
         problem = test::interface_fault(complex, simulation.interface());
     }
     expect(problem.empty(), problem);
@@ -294,7 +294,7 @@ Steps run_scene(Dice& dice) {
     const double h = dice.in(0.05, 0.14);
     Complex<Real> complex = draw_complex<Real>(dice, h);
     auto options = draw_all_options<Real>(dice, h);
-    const bool is_velocity = !options.carried_phases.empty();
+    const bool is_velocity = !options.advected_phases.empty();
     const Stepper<Real> step = draw_flow<Real>(dice, is_velocity);
     const double dt = h * std::pow(10.0, dice.in(-2.0, 0.7));
     const bool is_sequential = dice.chance(0.3);

@@ -17,8 +17,8 @@ namespace dsc::fuzz {
 namespace {
 
 // The complex is made of scenes up to this size, and a step is tried.
-constexpr double most_triangles = 2'000;
-constexpr std::size_t most_points = 1'000;
+constexpr double max_triangles = 2'000;
+constexpr std::size_t max_points = 1'000;
 
 template <class Read>
 std::uint64_t end_or_explain(Read read) {
@@ -58,8 +58,8 @@ bool is_small(const scenes::Setup& setup, double h) {
         points += curve.points.size();
         length += scenes::perimeter(curve.points);
     }
-    return size.prod() / (h * h) < most_triangles && points < most_points &&
-           length / h < static_cast<double>(most_points);
+    return size.prod() / (h * h) < max_triangles && points < max_points &&
+           length / h < static_cast<double>(max_points);
 }
 
 void run_steps_of(const scenes::Scene& scene, const scenes::Setup& setup) {

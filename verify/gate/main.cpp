@@ -158,10 +158,10 @@ int list_checks() {
 
 // Where a limit is broken, for as many as anybody will look at.
 void find_places(std::vector<Row>& rows, const Runs& runs, const std::filesystem::path& folder) {
-    constexpr int most_places = 20;
+    constexpr int max_places = 20;
     int places = 0;
     for (Row& row : rows) {
-        if (row.pass || ++places > most_places) {
+        if (row.pass || ++places > max_places) {
             continue;
         }
         try {

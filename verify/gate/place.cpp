@@ -38,8 +38,8 @@ Point<double> centre_of(const Mesh& mesh, Triangle t) {
 
 // The triangle of the least value.
 template <class Value>
-std::optional<Spot> least_triangle(const Mesh& mesh, const std::string& what,
-                                   const std::string& unit, Value value) {
+std::optional<Spot> min_triangle(const Mesh& mesh, const std::string& what, const std::string& unit,
+                                 Value value) {
     std::optional<Spot> spot;
     double least = std::numeric_limits<double>::infinity();
     for (const Triangle t : triangles(mesh)) {
@@ -93,10 +93,10 @@ std::optional<Spot> find_spot(const Mesh& mesh, Culprit culprit, const scenes::S
                               const scenes::Parameters& parameters, double time) {
     switch (culprit) {
     case Culprit::worst_triangle:
-        return least_triangle(mesh, "quality ", "", [&](Triangle t) { return quality(mesh, t); });
+        return min_triangle(mesh, "quality ", "", [&](Triangle t) { return quality(mesh, t); });
     case Culprit::sharpest_corner:
-        return least_triangle(mesh, "an angle of ", " degrees",
-                              [&](Triangle t) { return min_angle_deg(mesh, t); });
+        return min_triangle(mesh, "an angle of ", " degrees",
+                            [&](Triangle t) { return min_angle_deg(mesh, t); });
     case Culprit::first_failure: return inverted_triangle(mesh);
     case Culprit::deviation:
     case Culprit::turn: return against_exact(mesh, culprit, setup, parameters, time);

@@ -199,7 +199,7 @@ TEST(CurvatureOrder, IsTwoAlongTheCurve) {
 
 double error_in_a_simulation(Bounded shape, double h, double duration) {
     auto options = options_for<double>(h);
-    options.interface.corner_degrees = 180;
+    options.interface.feature_degrees = 180;
     Simulation<double> simulation(shape.complex, options);
     const auto motion = curvature_flow<double>(shape.flow);
     const double before = phase_area(shape.complex, 1);

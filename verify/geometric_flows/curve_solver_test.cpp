@@ -153,9 +153,9 @@ struct Pushes {
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
     CurveGraph graph; // of one network after the other
     CurveSolver solver;
-    std::size_t most_shares = 0;
+    std::size_t max_shares = 0;
     const InShares backwards = [&](std::size_t shares, const auto& task) {
-        most_shares = std::max(most_shares, shares);
+        max_shares = std::max(max_shares, shares);
         for (std::size_t share = shares; share > 0; --share) {
             task(share - 1);
         }
@@ -217,7 +217,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
             }
         }
     }
-    EXPECT_GT(most_shares, 2U);
+    EXPECT_GT(max_shares, 2U);
 }
 
 TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
@@ -260,9 +260,9 @@ TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
     }
     network.freedom.resize(network.positions.size());
     network.is_junction.resize(network.positions.size(), 0);
-    std::size_t most_shares = 0;
+    std::size_t max_shares = 0;
     const InShares backwards = [&](std::size_t shares, const auto& task) {
-        most_shares = shares;
+        max_shares = shares;
         for (std::size_t share = shares; share > 0; --share) {
             task(share - 1);
         }
@@ -279,7 +279,7 @@ TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
         keeper.shift(found[i], in_shares);
         EXPECT_NE(found[i].front(), Column{});
     }
-    EXPECT_GT(most_shares, 2U);
+    EXPECT_GT(max_shares, 2U);
     EXPECT_EQ(found[0], found[1]);
 }
 

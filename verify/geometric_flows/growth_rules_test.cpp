@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Growth along the normal: speeds by pairs of phases, by place and time; junctions and walls; what
+// Growth along the normal: speeds by pairs of phases, by place and time; junctions and sides; what
 // is refused; what fails.
 #include "support/refusal.h"
 #include "support/topology/growth_testing.h"
@@ -59,7 +59,7 @@ TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
     EXPECT_NEAR(phase_area(complex, 1), 0.3 * std::exp(0.5), 1e-9);
 }
 
-TEST(GrowthRules, ASheetSlidesAlongTheWallsAtAnyAngle) {
+TEST(GrowthRules, ASheetSlidesAlongTheBoundariesAtAnyAngle) {
     for (const double slant : {0.0, 0.5, -0.5}) {
         auto complex = grid(50, slant, [](int i, int) { return Phase{i < 15}; });
         GrowingShape growing(complex, 0.02, {.speeds = {{1, 0, 1.0}}});
@@ -119,8 +119,8 @@ TEST(GrowthRules, RefuseAnglesThatMakeNoSense) {
     EXPECT_NE(refusal({.speeds = {}, .fan_degrees = 30}), "");
     EXPECT_NE(refusal({.speeds = {}, .smooth_degrees = 31}), "");
     EXPECT_NE(refusal({.speeds = {}, .notch_degrees = 10}), "");
-    EXPECT_NE(refusal({.speeds = {}, .most_notch = 0.5}), "");
-    EXPECT_NE(refusal({.speeds = {}, .most_notch = std::numeric_limits<double>::infinity()}), "");
+    EXPECT_NE(refusal({.speeds = {}, .max_notch = 0.5}), "");
+    EXPECT_NE(refusal({.speeds = {}, .max_notch = std::numeric_limits<double>::infinity()}), "");
 }
 
 // --- what fails ---------------------------------------------------------------------------------

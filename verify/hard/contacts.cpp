@@ -124,14 +124,14 @@ HardResult pressed_case(double edges_a_step, int steps, const std::string& how) 
     return result;
 }
 
-struct WallEdges {
+struct BoundaryEdges {
     double shortest = std::numeric_limits<double>::max();
     double longest = 0;
-    double off_wall = 0; ///< largest distance of a boundary vertex from the sides of the domain
+    double off_boundary = 0; ///< largest distance of a boundary vertex from the sides of the domain
 };
 
-WallEdges wall_edges(const Scene<double>& scene) {
-    WallEdges wall;
+BoundaryEdges boundary_edges(const Scene<double>& scene) {
+    BoundaryEdges boundary;
     const auto& complex = scene.complex;
     for (const Triangle t : triangles(complex)) {
         for (const Edge e : complex.edges_of(t)) {
@@ -141,37 +141,37 @@ WallEdges wall_edges(const Scene<double>& scene) {
             const auto v = complex.vertices_of(e);
             const Point<double> p = complex.position(v[0]);
             const Point<double> q = complex.position(v[1]);
-            wall.shortest = std::min(wall.shortest, (q - p).norm());
-            wall.longest = std::max(wall.longest, (q - p).norm());
+            boundary.shortest = std::min(boundary.shortest, (q - p).norm());
+            boundary.longest = std::max(boundary.longest, (q - p).norm());
             for (const Point<double>& a : {p, q}) {
                 const double off = std::min((a - scene.domain.low).cwiseAbs().minCoeff(),
                                             (a - scene.domain.high).cwiseAbs().minCoeff());
-                wall.off_wall = std::max(wall.off_wall, off);
+                boundary.off_boundary = std::max(boundary.off_boundary, off);
             }
         }
     }
-    return wall;
+    return boundary;
 }
 
-// What is done to a strip from wall to wall, in a unit of time: x goes to
+// What is done to a strip from side to side, in a unit of time: x goes to
 // middle + stretch (x - middle) + shear (y - 1/2) + shift.
-struct WallMotion {
+struct BoundaryMotion {
     double shear = 0;
     double shift = 0;
     double stretch = 1;
 };
 
-constexpr double wall_middle = 1.0;
+constexpr double boundary_middle = 1.0;
 
 // A phase that fills a strip from side to side; the outline lies on the sides of the domain.
-HardResult wall_case(const std::string& asked, double width, const WallMotion& motion) {
+HardResult boundary_case(const std::string& asked, double width, const BoundaryMotion& motion) {
     HardResult result;
     result.asked = asked;
     const Rectangle domain{{0, 0}, {2, 1}};
     constexpr int columns = 40;
     constexpr double h = 2.0 / columns;
-    const double left = wall_middle - width / 2;
-    const double right = wall_middle + width / 2;
+    const double left = boundary_middle - width / 2;
+    const double right = boundary_middle + width / 2;
     auto scene = grid_scene(domain, columns, columns / 2, [&](const Point<double>& p) {
         return p.x() > left && p.x() < right ? Phase{1} : exterior_phase;
     });
@@ -179,34 +179,34 @@ HardResult wall_case(const std::string& asked, double width, const WallMotion& m
     const double rate = std::log(motion.stretch);
     const auto velocity = test::pointwise([&](const Point<double>& p) {
         return Point<double>(
-            motion.shift + motion.shear * (p.y() - 0.5) + rate * (p.x() - wall_middle), 0);
+            motion.shift + motion.shear * (p.y() - 0.5) + rate * (p.x() - boundary_middle), 0);
     });
     const std::vector<Outline> outlines{{{left, 0}, {right, 0}, {right, 1}, {left, 1}}};
     constexpr int steps = 50;
     watch.run(velocity, 0, 1.0 / steps, steps);
     const auto exact = mapped(outlines, [&](const Point<double>& p) {
-        return Point<double>(wall_middle + motion.stretch * (p.x() - wall_middle) + motion.shift +
-                                 motion.shear * (p.y() - 0.5),
+        return Point<double>(boundary_middle + motion.stretch * (p.x() - boundary_middle) +
+                                 motion.shift + motion.shear * (p.y() - 0.5),
                              p.y());
     });
     const double area_error = std::abs(domain_area(scene.complex) - 2.0) / 2;
-    const WallEdges wall = wall_edges(scene);
-    result.happened = "its ends slide; edges of the wall end between " + text(wall.shortest / h) +
-                      " and " + text(wall.longest / h) + " edge lengths";
+    const BoundaryEdges boundary = boundary_edges(scene);
+    result.happened = "its ends slide; boundary edges end between " + text(boundary.shortest / h) +
+                      " and " + text(boundary.longest / h) + " edge lengths";
     // RK4's own error of exp(0.02) to the power of 50, at most.
     note_error(result, shape_error<double>(scene.complex, exact), rate == 0 ? 1e-12 : 1e-8);
-    expect(result, wall.off_wall == 0, "a boundary vertex left the wall");
+    expect(result, boundary.off_boundary == 0, "a boundary vertex left the domain boundary");
     expect(result, area_error < 1e-13, "the domain's area changed");
-    expect(result, wall.longest < 1.7 * h, "the wall was not refined");
-    expect(result, wall.shortest > 0.35 * h, "the wall was not coarsened");
+    expect(result, boundary.longest < 1.7 * h, "the domain boundary was not refined");
+    expect(result, boundary.shortest > 0.35 * h, "the domain boundary was not coarsened");
     expect_sound(result, Targets::reachable);
     return result;
 }
 
 // A disc and a strip that are driven against a side of the domain, where there is no way on.
-HardResult pressed_wall_case() {
+HardResult pressed_boundary_case() {
     HardResult result;
-    result.asked = "a disc and a strip from wall to wall are driven against a side of the domain "
+    result.asked = "a disc and a strip from side to side are driven against a side of the domain "
                    "for 2,000 steps";
     constexpr int columns = 20;
     constexpr double h = 1.0 / columns;
@@ -218,10 +218,10 @@ HardResult pressed_wall_case() {
                         result);
     watch.run(scenes::Translation{{1, 0}}, 0, 0.1 * h, 2000);
     const double area_error = std::abs(domain_area(scene.complex) - 1);
-    const WallEdges wall = wall_edges(scene);
+    const BoundaryEdges boundary = boundary_edges(scene);
     result.happened = "both are stopped, " + std::to_string(watch.last().unreached) +
                       " vertices counted in the last step; the domain keeps its shape";
-    expect(result, wall.off_wall == 0, "a boundary vertex left the wall");
+    expect(result, boundary.off_boundary == 0, "a boundary vertex left the domain boundary");
     expect(result, area_error < 1e-13, "the domain's area changed");
     expect(result, watch.last().unreached > 0, "nothing was in the way");
     for (Phase phase = 1; phase <= 2; ++phase) {
@@ -232,12 +232,13 @@ HardResult pressed_wall_case() {
     return result;
 }
 
-// The strip's wall is an interface as well, and turns into its side by only 35 degrees: a cubic
-// through both would bulge at the wall. The slope decides at which end of an edge this is seen.
-HardResult slanted_wall_case(double slope) {
+// The strip's boundary is an interface as well, and turns into its side by only 35 degrees: a cubic
+// through both would bulge at the domain boundary. The slope decides at which end of an edge this
+// is seen.
+HardResult slanted_boundary_case(double slope) {
     HardResult result;
-    result.asked =
-        "a strip that meets the walls at a slope of " + text(slope) + ", whose edges are all split";
+    result.asked = "a strip that meets the sides of the domain at a slope of " + text(slope) +
+                   ", whose edges are all split";
     const auto lean = [slope](const Point<double>& p) {
         return Point<double>(p.x() + slope * (p.y() - 0.5), p.y());
     };
@@ -255,7 +256,7 @@ HardResult slanted_wall_case(double slope) {
     const std::vector<Outline> exact{
         {lean({0.8003, 0}), lean({1.1003, 0}), lean({1.1003, 1}), lean({0.8003, 1})}};
     note_error(result, shape_error<double>(scene.complex, exact), 1e-13);
-    result.happened = "the interface is not interpolated along the wall";
+    result.happened = "the interface is not interpolated along the domain boundary";
     expect_sound(result, Targets::reachable);
     return result;
 }
@@ -269,23 +270,25 @@ void append_contacts(std::vector<HardCase>& cases) {
     cases.push_back({"pressed-flat", [] {
                          return pressed_case(0.3, 10000, "by 0.3 edge lengths a step, for ever");
                      }});
-    const auto add_wall = [&](const std::string& name, const std::string& asked, double width,
-                              const WallMotion& motion) {
-        cases.push_back({name, [=] { return wall_case(asked, width, motion); }});
+    const auto add_boundary = [&](const std::string& name, const std::string& asked, double width,
+                                  const BoundaryMotion& motion) {
+        cases.push_back({name, [=] { return boundary_case(asked, width, motion); }});
     };
-    add_wall("wall-translation", "a strip from wall to wall goes six edge lengths along the walls",
-             0.3, {.shift = 0.3});
-    add_wall("wall-shear",
-             "a strip from wall to wall is sheared: its ends slide along the walls by seven edge "
-             "lengths either way",
-             0.3, {.shear = 0.7});
-    add_wall("wall-stretch", "a strip from wall to wall becomes three times as wide", 0.3,
-             {.stretch = 3});
-    add_wall("wall-squeeze", "a strip from wall to wall becomes a third as wide", 0.9,
-             {.stretch = 1.0 / 3});
-    cases.push_back({"wall-pressed", pressed_wall_case});
-    cases.push_back({"wall-slanted", [] { return slanted_wall_case(1.4); }});
-    cases.push_back({"wall-slanted-back", [] { return slanted_wall_case(-1.4); }});
+    add_boundary("boundary-translation",
+                 "a strip from side to side goes six edge lengths along the sides of the domain",
+                 0.3, {.shift = 0.3});
+    add_boundary("boundary-shear",
+                 "a strip from side to side is sheared: its ends slide along the sides of the "
+                 "domain by seven edge "
+                 "lengths either way",
+                 0.3, {.shear = 0.7});
+    add_boundary("boundary-stretch", "a strip from side to side becomes three times as wide", 0.3,
+                 {.stretch = 3});
+    add_boundary("boundary-squeeze", "a strip from side to side becomes a third as wide", 0.9,
+                 {.stretch = 1.0 / 3});
+    cases.push_back({"boundary-pressed", pressed_boundary_case});
+    cases.push_back({"boundary-slanted", [] { return slanted_boundary_case(1.4); }});
+    cases.push_back({"boundary-slanted-back", [] { return slanted_boundary_case(-1.4); }});
 }
 
 } // namespace dsc::hard

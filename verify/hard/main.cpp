@@ -57,7 +57,7 @@ std::string to_json(const std::vector<Row>& rows) {
                          {"what_happened", r.happened},
                          {"steps", r.steps},
                          {"sub_steps", r.sub_steps},
-                         {"most_sub_steps", r.most_sub_steps},
+                         {"max_sub_steps", r.max_sub_steps},
                          {"inverted", r.inverted},
                          {"unreached", r.unreached},
                          {"held", r.held},

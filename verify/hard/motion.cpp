@@ -22,9 +22,9 @@ using scenes::Outline;
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
 // By steps of so many edge lengths, of which none is too many.
-HardResult in_steps(const Carried& carried) {
-    HardResult result = carry(carried);
-    result.happened = "arrives everywhere, in at most " + std::to_string(result.most_sub_steps) +
+HardResult in_steps(const Carried& advected) {
+    HardResult result = carry(advected);
+    result.happened = "arrives everywhere, in at most " + std::to_string(result.max_sub_steps) +
                       " sub-steps a step";
     return result;
 }

@@ -40,13 +40,13 @@ std::vector<Outline> disc() { return {scenes::circle({0.4, 0.5}, 0.2, circle_h)}
 struct Strange {
     std::string asked;
     Field field;
-    std::uint64_t least_held = 0; ///< summed over steps
-    bool all_stay = false;        ///< nothing may have moved at the end
-    bool all_go = false;          ///< everything must have gone the whole way
+    std::uint64_t min_held = 0; ///< summed over steps
+    bool all_stay = false;      ///< nothing may have moved at the end
+    bool all_go = false;        ///< everything must have gone the whole way
     std::string happened;
     bool held_block = false; ///< those who are held may stop others, which are counted too
     int only_step = -1;      ///< the field is asked in this step alone; `right` in all others
-    std::uint64_t most_held = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t max_held = std::numeric_limits<std::uint64_t>::max();
 };
 
 HardResult strange_case(const Strange& strange) {
@@ -61,12 +61,11 @@ HardResult strange_case(const Strange& strange) {
         going = watch.step(is_asked ? test::pointwise(strange.field) : to_the_right(), i * dt, dt);
         moves += watch.last().operations.moves;
     }
-    expect(result, result.held >= strange.least_held,
-           std::to_string(result.held) + " held, at least " + std::to_string(strange.least_held) +
+    expect(result, result.held >= strange.min_held,
+           std::to_string(result.held) + " held, at least " + std::to_string(strange.min_held) +
                " expected");
-    expect(result, strange.least_held > 0 || result.held == 0,
-           "vertices were held without a reason");
-    expect(result, result.held <= strange.most_held, "held in more than that step");
+    expect(result, strange.min_held > 0 || result.held == 0, "vertices were held without a reason");
+    expect(result, result.held <= strange.max_held, "held in more than that step");
     // Who is held may be in the way of those who go on.
     expect(result, strange.held_block || result.unreached == result.held,
            "vertices did not arrive for another reason than their velocity");
@@ -176,27 +175,27 @@ void append_numbers(std::vector<HardCase>& cases) {
         add(prefix + "some",
             {.asked = begin + " in a part of the plane, in all steps",
              .field = bad_where(-bad, 0.55),
-             .least_held = step_count,
+             .min_held = step_count,
              .happened =
                  "vertices there are held and counted; the others go on until they meet one",
              .held_block = true});
         add(prefix + "all", {.asked = begin + " everywhere",
                              .field = bad_where(bad, -1),
-                             .least_held = step_count * all,
+                             .min_held = step_count * all,
                              .all_stay = true,
                              .happened = "all vertices are held and counted in every step"});
         add(prefix + "one-step",
             {.asked = begin + " everywhere in one step of twenty",
              .field = bad_where(bad, -1),
-             .least_held = all,
+             .min_held = all,
              .happened = "all vertices are held in that step and go on in the next",
              .only_step = 3,
-             .most_held = all});
+             .max_held = all});
         // No step begins or ends in there: only the middle stages see it.
         add(prefix + "in-stages",
             {.asked = begin + " in the middle stages of one Runge-Kutta step only",
              .field = bad_when(bad, 3.2 * dt, 3.8 * dt),
-             .least_held = all,
+             .min_held = all,
              .happened = "all vertices are held in that step, as their targets are not finite"});
     }
     for (const double speed : {1e9, 1e150}) {

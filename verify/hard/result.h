@@ -16,7 +16,7 @@ struct HardResult {
     std::string happened; ///< what it did, in a sentence
     std::uint64_t steps = 0;
     std::uint64_t sub_steps = 0;
-    std::uint32_t most_sub_steps = 0; ///< of one step
+    std::uint32_t max_sub_steps = 0; ///< of one step
     std::uint64_t inverted = 0;  ///< triangles not positive by the exact predicate, over all steps
     std::uint64_t unreached = 0; ///< vertices that did not arrive, as the library counts them
     std::uint64_t held = 0;      ///< of these, for a velocity or a target that is not finite
@@ -51,9 +51,10 @@ struct HardCase {
 // By what is hard about them; `all_cases` puts them together.
 void append_coordinates(std::vector<HardCase>& cases); ///< offsets, sizes, the ends of a scalar
 void append_long_steps(std::vector<HardCase>& cases);  ///< many edges a step; filaments
-void append_contacts(std::vector<HardCase>& cases);    ///< interface on interface, wall, junction
-void append_degenerate(std::vector<HardCase>& cases);  ///< needles, caps, near-degenerate grids
-void append_numbers(std::vector<HardCase>& cases);     ///< denormals, NaN, infinity
-void append_long_runs(std::vector<HardCase>& cases);   ///< 100 revolutions, a million steps
+void append_contacts(
+    std::vector<HardCase>& cases); ///< interface on interface, domain boundary, junction
+void append_degenerate(std::vector<HardCase>& cases); ///< needles, caps, near-degenerate grids
+void append_numbers(std::vector<HardCase>& cases);    ///< denormals, NaN, infinity
+void append_long_runs(std::vector<HardCase>& cases);  ///< 100 revolutions, a million steps
 
 } // namespace dsc::hard

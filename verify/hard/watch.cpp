@@ -111,7 +111,7 @@ bool Watch<Real>::step(const Velocity<Real>& velocity, double time, double dt) {
     last_ = simulation_.step(velocity, static_cast<Real>(time), static_cast<Real>(dt));
     ++result_.steps;
     result_.sub_steps += last_.sub_steps;
-    result_.most_sub_steps = std::max(result_.most_sub_steps, last_.sub_steps);
+    result_.max_sub_steps = std::max(result_.max_sub_steps, last_.sub_steps);
     result_.unreached += last_.unreached;
     result_.held += last_.held;
     if (last_.gave_up != GiveUp::none && result_.gave_up.empty()) {
@@ -161,17 +161,17 @@ bool Watch<Real>::run(const Velocity<Real>& velocity, double time, double dt, st
     return true;
 }
 
-HardResult carry(const Carried& carried,
+HardResult carry(const Carried& advected,
                  const std::function<void(const Complex<double>&, HardResult&)>& more) {
     HardResult result;
-    result.asked = carried.asked;
-    result.happened = carried.happened;
-    auto scene = scene_of<double>(carried.domain, carried.outlines, carried.h);
+    result.asked = advected.asked;
+    result.happened = advected.happened;
+    auto scene = scene_of<double>(advected.domain, advected.outlines, advected.h);
     Watch<double> watch(scene.complex, scene.options,
-                        {.domain = carried.domain, .thorough_every = carried.thorough_every},
+                        {.domain = advected.domain, .thorough_every = advected.thorough_every},
                         result);
-    watch.run(carried.flow, 0, carried.dt, carried.steps);
-    note_error(result, shape_error<double>(scene.complex, carried.exact), carried.allowed);
+    watch.run(advected.flow, 0, advected.dt, advected.steps);
+    note_error(result, shape_error<double>(scene.complex, advected.exact), advected.allowed);
     if (more) {
         more(scene.complex, result);
     }

@@ -68,7 +68,7 @@ struct Carried {
 
 /// Runs it, with no vertex left behind. `more`: what else is measured of the complex at the end.
 [[nodiscard]] HardResult
-carry(const Carried& carried,
+carry(const Carried& advected,
       const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
 
 /// Notes the error against the exact shape, the worst of several; more than is allowed fails.

@@ -176,7 +176,7 @@ TEST(LabelImage, SmallGrainsGoToTheirLongestNeighbour) {
     LabelImage image = painted(40, 40, phase);
     const InitialOptions options{.edge_length = 0.05};
     EXPECT_EQ(test::areas_by_phase(initial_complex<double>({}, image, options)).size(), 3U);
-    image.least_pixels = 17;
+    image.min_pixels = 17;
     InputReport report;
     auto areas = test::areas_by_phase(initial_complex<double>({}, image, options, &report));
     EXPECT_EQ(report.dropped, 1U);

@@ -90,8 +90,8 @@ TEST(InitialErrors, OptionsAndDomain) {
 }
 
 TEST(InitialErrors, TheLeastEdgeLengthsAreAllowed) {
-    const double h = initial::least_initial_edge_length;
-    const double steps = initial::least_steps * std::numeric_limits<double>::epsilon();
+    const double h = initial::min_initial_edge_length;
+    const double steps = initial::min_steps * std::numeric_limits<double>::epsilon();
     const Rectangle small{{0, 0}, {4 * h, 4 * h}};
     const Rectangle far{{1 - 4 * steps, 1 - 4 * steps}, {1, 1}};
     for (const auto& [domain, least] : {std::pair{small, h}, std::pair{far, steps}}) {

@@ -64,9 +64,9 @@ class Readers(unittest.TestCase):
         areas = numpy.linalg.det(sides[:, :2])
         self.assertGreater(areas.min(), 0)
         lengths = numpy.sort(numpy.linalg.norm(sides, axis=2))
-        least_sine = areas / (lengths[:, 1] * lengths[:, 2])
+        min_sine = areas / (lengths[:, 1] * lengths[:, 2])
         quality = own.cell_data["quality"].ravel()
-        self.assertLess(abs(quality - 2 / 3**0.5 * least_sine).max(), near)
+        self.assertLess(abs(quality - 2 / 3**0.5 * min_sine).max(), near)
         if is_first:
             distance = numpy.linalg.norm(corners.mean(axis=1) - (0.5, 0.75), axis=1)
             numpy.testing.assert_array_equal(own.cell_data["phase"].ravel(), distance < 0.15)

@@ -18,7 +18,7 @@ namespace {
 Complex<double> complex_of(const Outline& outline, double h) {
     const std::vector<Shape> shapes{{outline, 1}};
     auto complex = initial_complex<double>({}, shapes, {.edge_length = h});
-    mark_corners(complex, collect_interface(complex), 40, 0.0);
+    mark_features(complex, collect_interface(complex), 40, 0.0);
     return complex;
 }
 

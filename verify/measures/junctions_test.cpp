@@ -72,13 +72,13 @@ TEST(Junctions, AlsoWhereAPhaseTouchesItself) {
     EXPECT_TRUE(std::isnan(figures.worst_deviation_deg));
 }
 
-// Neither on a curve of two phases, nor where curves end at the wall.
+// Neither on a curve of two phases, nor where curves end at the domain boundary.
 TEST(Junctions, AreNowhereElse) {
     EXPECT_TRUE(measure_junctions(grid<float>(8, 0.1, 1, 3)).empty());
     const auto figures = summarise(std::vector<Junction>{});
     EXPECT_EQ(figures.count, 0U);
     EXPECT_TRUE(std::isnan(figures.worst_deviation_deg));
-    // Three interface edges meet at the middle of a wall.
+    // Three interface edges meet at the middle of a side of the domain.
     const std::vector<Point<double>> points{{0, 0}, {2, 0}, {1, 1}, {0, 2}, {-1, 1}, {-2, 0}};
     const auto K =
         build<double>(points, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, {1, 2, 3, 4});

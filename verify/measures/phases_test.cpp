@@ -33,7 +33,7 @@ Complex<Real> shelves() {
     return K;
 }
 
-TYPED_TEST(Phases, AreaPerimeterWallComponentsAndHoles) {
+TYPED_TEST(Phases, AreaPerimeterBoundaryComponentsAndHoles) {
     const PhaseReport report = measure_phases(shelves<TypeParam>());
     ASSERT_EQ(report.phases.size(), 3U);
     const auto& [exterior, one, three] =
@@ -45,11 +45,11 @@ TYPED_TEST(Phases, AreaPerimeterWallComponentsAndHoles) {
     EXPECT_DOUBLE_EQ(three.area, 23);
     EXPECT_DOUBLE_EQ(exterior.area, 64 - 28);
     EXPECT_DOUBLE_EQ(one.perimeter, 12);
-    EXPECT_DOUBLE_EQ(one.wall, 0);
+    EXPECT_DOUBLE_EQ(one.boundary, 0);
     EXPECT_DOUBLE_EQ(three.perimeter, 12);
-    EXPECT_DOUBLE_EQ(three.wall, 14);
+    EXPECT_DOUBLE_EQ(three.boundary, 14);
     EXPECT_DOUBLE_EQ(exterior.perimeter, 20);
-    EXPECT_DOUBLE_EQ(exterior.wall, 18);
+    EXPECT_DOUBLE_EQ(exterior.boundary, 18);
     EXPECT_EQ(one.components, 2U);
     EXPECT_EQ(one.holes, 0U);
     EXPECT_EQ(three.components, 1U);

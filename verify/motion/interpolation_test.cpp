@@ -114,7 +114,7 @@ TEST(CubicInsertion, DoesNotLookAroundCorners) {
     options.edge_length = 0.05;
     const Point<double> centre(0.5, 0.5);
     double half = 0.15; // of the square's side, as it grows
-    const auto is_corner = [&](const Point<double>& p) {
+    const auto is_feature = [&](const Point<double>& p) {
         const Point<double> d = (p - centre).cwiseAbs();
         return d.minCoeff() > half * (1 - 1e-9);
     };
@@ -122,7 +122,7 @@ TEST(CubicInsertion, DoesNotLookAroundCorners) {
     int smooth = 0;
     int cornered = 0;
     options.insertion_function = [&](const CurveNeighbours<double>& n) {
-        around += (n.has_first && is_corner(n.p1)) || (n.has_last && is_corner(n.p2)) ? 1 : 0;
+        around += (n.has_first && is_feature(n.p1)) || (n.has_last && is_feature(n.p2)) ? 1 : 0;
         smooth += n.has_first && n.has_last ? 1 : 0;
         cornered += !n.has_first || !n.has_last ? 1 : 0;
         return insertion_point(Insertion::cubic, n);

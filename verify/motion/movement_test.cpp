@@ -16,7 +16,7 @@ namespace dsc::movement_test {
 namespace {
 
 // The least altitude over base of the triangles about vertex 0.
-double least_shape(const Complex<double>& complex) {
+double min_shape(const Complex<double>& complex) {
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         const auto v = complex.vertices_of(Triangle{t});
@@ -29,9 +29,9 @@ double least_shape(const Complex<double>& complex) {
 }
 
 MoveOutcome move_centre(Complex<double>& complex, const Point<double>& target) {
-    Ring<double> ring;
-    EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-    return move_vertex(Submesh(complex), ring, target.x(), target.y());
+    Star<double> star;
+    EXPECT_TRUE(gather(complex, Region{}, 0, star));
+    return move_vertex(Submesh(complex), star, target.x(), target.y());
 }
 
 TEST(Movement, ReachesWhatLiesInItsStar) {
@@ -45,11 +45,11 @@ TEST(Movement, KeepsAltitudesOverBases) {
         auto complex = test::hexagon<double>();
         const Point<double> far(3 * std::cos(angle), 3 * std::sin(angle));
         EXPECT_EQ(move_centre(complex, far), MoveOutcome::partly);
-        EXPECT_NEAR(least_shape(complex), altitude_floor, 1e-9);
+        EXPECT_NEAR(min_shape(complex), altitude_floor, 1e-9);
         // What is flat already may lose a part of it, each time.
-        const double before = least_shape(complex);
+        const double before = min_shape(complex);
         (void)move_centre(complex, far);
-        EXPECT_GE(least_shape(complex), altitude_keep * before * (1 - 1e-9));
+        EXPECT_GE(min_shape(complex), altitude_keep * before * (1 - 1e-9));
     }
 }
 
@@ -92,10 +92,10 @@ TEST(Movement, RefusesWhatIsNotFinite) {
             for (const Point<double>& target : {Point<double>(x, y), Point<double>(y, x)}) {
                 auto complex = test::build<double>(
                     square, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}, std::vector<Phase>(4, 0));
-                Ring<double> ring;
-                ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-                EXPECT_EQ(move_limit(ring, target.x(), target.y()), 0) << target.transpose();
-                EXPECT_FALSE(all_positive(ring, target.x(), target.y())) << target.transpose();
+                Star<double> star;
+                ASSERT_TRUE(gather(complex, Region{}, 0, star));
+                EXPECT_EQ(move_limit(star, target.x(), target.y()), 0) << target.transpose();
+                EXPECT_FALSE(all_positive(star, target.x(), target.y())) << target.transpose();
                 EXPECT_EQ(move_centre(complex, target), MoveOutcome::blocked);
                 EXPECT_EQ(complex.position(Vertex{0}), square[0]);
             }
@@ -105,12 +105,12 @@ TEST(Movement, RefusesWhatIsNotFinite) {
 
 TEST(Movement, IsLimitedToAShareOfTheWay) {
     const auto complex = test::hexagon<double>();
-    Ring<double> ring;
-    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-    EXPECT_EQ(move_limit(ring, 0.01, 0.0), 1);
-    EXPECT_EQ(move_limit(ring, 0.0, 0.0), 1);
-    EXPECT_GT(move_limit(ring, 3.0, 0.0), 0);
-    EXPECT_LT(move_limit(ring, 3.0, 0.0), 0.34);
+    Star<double> star;
+    ASSERT_TRUE(gather(complex, Region{}, 0, star));
+    EXPECT_EQ(move_limit(star, 0.01, 0.0), 1);
+    EXPECT_EQ(move_limit(star, 0.0, 0.0), 1);
+    EXPECT_GT(move_limit(star, 3.0, 0.0), 0);
+    EXPECT_LT(move_limit(star, 3.0, 0.0), 0.34);
 }
 
 } // namespace

@@ -135,7 +135,7 @@ TYPED_TEST(Smoothing, SlideIsRefused) {
     K.set_locked(Vertex{18}, true);
     expect_refused(K, Verdict::locked, slide(18));
     // A turn of 22.5 degrees is a corner to who says so.
-    expect_refused(K, Verdict::on_interface, slide(18, {.corner_degrees = 10}));
+    expect_refused(K, Verdict::on_interface, slide(18, {.feature_degrees = 10}));
     // A junction: one triangle of a third phase.
     K.set_phase(Triangle{triangle_of(K.vertices[18].corner)}, 7);
     expect_refused(K, Verdict::on_interface, slide(18));
@@ -169,13 +169,13 @@ TYPED_TEST(Smoothing, TakesAnglesUpToAHalfTurnAndStepsUpToTheWholeWay) {
     auto complex = grid<TypeParam>(6, 0.1, 1, 2);
     for (const double degrees : {0.0, 0.5, 180.0}) {
         EXPECT_NO_THROW(
-            (void)interface_smoothing(complex, Vertex{10}, {.corner_degrees = degrees}));
+            (void)interface_smoothing(complex, Vertex{10}, {.feature_degrees = degrees}));
     }
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const InterfaceSmoothingOptions& bad :
-         std::vector<InterfaceSmoothingOptions>{{.corner_degrees = -0.5},
-                                                {.corner_degrees = 180.5},
-                                                {.corner_degrees = nan},
+         std::vector<InterfaceSmoothingOptions>{{.feature_degrees = -0.5},
+                                                {.feature_degrees = 180.5},
+                                                {.feature_degrees = nan},
                                                 {.step = 2},
                                                 {.step = nan}}) {
         EXPECT_THROW((void)interface_smoothing(complex, Vertex{10}, bad), InputError);

@@ -28,21 +28,21 @@ Complex<double> tangled(unsigned seed) {
 
 TEST(StarCollapse, IsGuardedAsAnyCollapse) {
     std::map<Verdict, int> verdicts;
-    Ring<double> ring;
+    Star<double> star;
     for (unsigned seed = 1; seed <= 12; ++seed) {
         const auto complex = tangled(seed);
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-            if (!gather(complex, Region{}, v, ring) || !ring.closed || ring.size < 4) {
+            if (!gather(complex, Region{}, v, star) || !star.closed || star.size < 4) {
                 continue;
             }
-            for (std::uint32_t i = 0; i < ring.size; ++i) {
+            for (std::uint32_t i = 0; i < star.size; ++i) {
                 const Verdict usual =
-                    edge_collapse_guard(complex, Region{}, prev(ring.corner[i]),
+                    edge_collapse_guard(complex, Region{}, prev(star.corner[i]),
                                         rewire::Vanishing::next, JunctionRule::kept);
                 // Inside one phase, with its whole star, only that can go wrong.
                 const bool is_plain = usual == Verdict::legal || usual == Verdict::inverts;
                 if (is_plain) {
-                    EXPECT_EQ(star_collapse_guard(complex, ring, i), usual)
+                    EXPECT_EQ(star_collapse_guard(complex, star, i), usual)
                         << "seed " << seed << ", vertex " << v << ", incident_edge " << i;
                     ++verdicts[usual];
                 }
@@ -56,9 +56,9 @@ TEST(StarCollapse, IsGuardedAsAnyCollapse) {
 TEST(StarCollapse, LeavesLockedVertices) {
     auto complex = test::hexagon<double>();
     complex.set_locked(Vertex{0}, true);
-    Ring<double> ring;
-    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-    EXPECT_EQ(star_collapse_guard(complex, ring, 0), Verdict::locked);
+    Star<double> star;
+    ASSERT_TRUE(gather(complex, Region{}, 0, star));
+    EXPECT_EQ(star_collapse_guard(complex, star, 0), Verdict::locked);
 }
 
 } // namespace

@@ -51,7 +51,7 @@ TEST(Cells, ShareTheWorkWithinTheTolerance) {
         Divided scene = random_divided(dice, false);
         const std::uint32_t cells = test::number_in(dice, 2, 6);
         CellPartitioner<double> partitioner(
-            {.submeshes = cells, .least_vertices = 6, .least_width = 4});
+            {.submeshes = cells, .min_vertices = 6, .min_width = 4});
         scene.divide(partitioner);
         const auto shares = shares_of(scene, 0);
         EXPECT_LE(shares.size(), cells);
@@ -72,10 +72,10 @@ TEST(Cells, AreNoSmallerThanAllowed) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Dice dice(seed);
         Divided scene = random_divided(dice, seed % 4 == 0);
-        const std::uint32_t least_vertices = test::number_in(dice, 5, 30);
-        const double least_width = dice.in(3.0, 12.0);
+        const std::uint32_t min_vertices = test::number_in(dice, 5, 30);
+        const double min_width = dice.in(3.0, 12.0);
         CellPartitioner<double> partitioner(
-            {.submeshes = 12, .least_vertices = least_vertices, .least_width = least_width});
+            {.submeshes = 12, .min_vertices = min_vertices, .min_width = min_width});
         scene.divide(partitioner);
         const auto& regions = scene.regions(0);
         cells += regions.size();
@@ -85,9 +85,9 @@ TEST(Cells, AreNoSmallerThanAllowed) {
             ++count.at(scene.partition.colours[0].locate(no_id, p.x(), p.y()));
         }
         for (std::size_t i = 0; i < regions.size() && regions.size() > 1; ++i) {
-            EXPECT_GE(count[i], least_vertices) << "seed " << seed << ", cell " << i;
-            EXPECT_GE(regions[i].high - regions[i].low, least_width * scene.h);
-            EXPECT_GE(regions[i].side_high - regions[i].side_low, least_width * scene.h);
+            EXPECT_GE(count[i], min_vertices) << "seed " << seed << ", cell " << i;
+            EXPECT_GE(regions[i].high - regions[i].low, min_width * scene.h);
+            EXPECT_GE(regions[i].side_high - regions[i].side_low, min_width * scene.h);
         }
     }
     EXPECT_GT(cells, 100U);

@@ -67,7 +67,7 @@ TEST_F(OnARow, RegionsMeetWhereTheInterfaceGoesOn) {
 }
 
 TEST_F(OnARow, TwoBlocksAreTwo) {
-    BlockPartitioner<double> blocks({.submeshes = 4, .least_width = 2});
+    BlockPartitioner<double> blocks({.submeshes = 4, .min_width = 2});
     Partition partition;
     blocks.divide(input(1), Recut::all, partition);
     ASSERT_GT(partition.colours.size(), 1U);

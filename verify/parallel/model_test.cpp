@@ -28,7 +28,7 @@ Profiled profiled_steps() {
     auto executor = std::make_unique<SubmeshExecutor<double>>(
         complex, options, default_algorithm<double>(),
         std::make_unique<SlabPartitioner<double>>(
-            SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+            SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .min_width = 4}),
         Parallel{.threads = 1, .profile = true});
     const SubmeshExecutor<double>& seen = *executor;
     Simulation<double> simulation(complex, options, std::move(executor));

@@ -202,20 +202,20 @@ TEST(Partitioners, RefuseOptionsThatMakeNoSense) {
          {"submeshes", [](SlabOptions& s) { s.submeshes = 65537; }},
          {"degrees", [](SlabOptions& s) { s.degrees = nan; }},
          {"degrees", [](SlabOptions& s) { s.degrees = infinity; }},
-         {"least_width", [](SlabOptions& s) { s.least_width = 1.9; }},
-         {"least_width", [](SlabOptions& s) { s.least_width = nan; }},
+         {"min_width", [](SlabOptions& s) { s.min_width = 1.9; }},
+         {"min_width", [](SlabOptions& s) { s.min_width = nan; }},
          {"recut", [](SlabOptions& s) { s.recut = 0; }}});
     expect_refused<BlockPartitioner<double>, BlockOptions>(
         {{"submeshes", [](BlockOptions& s) { s.submeshes = 0; }},
          {"submeshes", [](BlockOptions& s) { s.submeshes = 65537; }},
-         {"least_width", [](BlockOptions& s) { s.least_width = 1.9; }},
-         {"least_width", [](BlockOptions& s) { s.least_width = nan; }},
+         {"min_width", [](BlockOptions& s) { s.min_width = 1.9; }},
+         {"min_width", [](BlockOptions& s) { s.min_width = nan; }},
          {"recut", [](BlockOptions& s) { s.recut = 0; }}});
     expect_refused<CellPartitioner<double>, CellOptions>(
         {{"submeshes", [](CellOptions& s) { s.submeshes = 65537; }},
-         {"least_width", [](CellOptions& s) { s.least_width = 1.9; }},
-         {"least_width", [](CellOptions& s) { s.least_width = nan; }},
-         {"least_width", [](CellOptions& s) { s.least_width = infinity; }},
+         {"min_width", [](CellOptions& s) { s.min_width = 1.9; }},
+         {"min_width", [](CellOptions& s) { s.min_width = nan; }},
+         {"min_width", [](CellOptions& s) { s.min_width = infinity; }},
          {"band", [](CellOptions& s) { s.band = -1; }},
          {"band", [](CellOptions& s) { s.band = nan; }},
          {"band", [](CellOptions& s) { s.band = infinity; }},

@@ -133,11 +133,11 @@ Pass<double> counting_strangers(std::atomic<int>& strangers) {
 void thin_out(Work<double>& work) {
     Complex<double>& complex = work.complex;
     for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
-        if (!gather(complex, work.submesh.region, v, work.ring)) {
+        if (!gather(complex, work.submesh.region, v, work.star)) {
             continue;
         }
-        for (std::uint32_t i = 0; i < work.ring.size; ++i) {
-            const Corner incident_edge = prev(work.ring.corner[i]);
+        for (std::uint32_t i = 0; i < work.star.size; ++i) {
+            const Corner incident_edge = prev(work.star.corner[i]);
             if (edge_collapse(work.submesh, incident_edge, rewire::Vanishing::prev) ==
                 Verdict::legal) {
                 break;
@@ -178,11 +178,11 @@ void relabel_twice(Work<double>& work) {
     Complex<double>& complex = work.complex;
     for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
         // Not all: a vertex that is changed is listed where it is when the sub-step is over.
-        if (v % 3 != 0 || !gather(complex, work.submesh.region, v, work.ring) || !work.ring.owned) {
+        if (v % 3 != 0 || !gather(complex, work.submesh.region, v, work.star) || !work.star.owned) {
             continue;
         }
-        for (std::uint32_t i = 0; i < work.ring.size; ++i) {
-            const Triangle t{triangle_of(work.ring.corner[i])};
+        for (std::uint32_t i = 0; i < work.star.size; ++i) {
+            const Triangle t{triangle_of(work.star.corner[i])};
             const Phase phase = complex.phase(t);
             rewire::relabel(complex, work.log, t, static_cast<Phase>(phase + 1));
             rewire::relabel(complex, work.log, t, phase);

@@ -202,7 +202,7 @@ struct Sharing final : Stage<double> {
 TEST(SubmeshExecutor, ThreadsOfAStepShareTheWorkOfStagesAndMotions) {
     for (const std::uint32_t submeshes : {1U, 4U}) {
         Growing disc(std::make_unique<SlabPartitioner<double>>(
-                         SlabOptions{.submeshes = submeshes, .least_width = 4}),
+                         SlabOptions{.submeshes = submeshes, .min_width = 4}),
                      3);
         const auto stage = std::make_shared<Sharing>();
         disc.simulation->add_stage(stage);
@@ -226,7 +226,7 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
         auto executor = std::make_unique<SubmeshExecutor<double>>(
             complex, options, default_algorithm<double>(),
             std::make_unique<SlabPartitioner<double>>(
-                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .least_width = 4}),
+                SlabOptions{.slabbing = Slabbing::fixed, .submeshes = 4, .min_width = 4}),
             Parallel{.threads = threads, .always_all_threads = always_all});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
@@ -247,9 +247,9 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
 
 TEST(SubmeshExecutor, ThreadsAreBusyForAPartOfTheirSections) {
     for (const std::uint32_t threads : {1U, 3U}) {
-        Growing disc(std::make_unique<SlabPartitioner<double>>(
-                         SlabOptions{.submeshes = 4, .least_width = 4}),
-                     threads);
+        Growing disc(
+            std::make_unique<SlabPartitioner<double>>(SlabOptions{.submeshes = 4, .min_width = 4}),
+            threads);
         Timer timer;
         for (int step = 0; step < 5; ++step) {
             (void)disc.simulation->step(disc.grow, 0, Growing::h);

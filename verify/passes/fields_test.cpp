@@ -22,18 +22,18 @@ TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
         for (const test::Course& way : test::all_courses) {
             Complex<double> complex = test::disc();
             auto& field = complex.attributes.add<Vertex, double>("field");
-            auto& carried = complex.attributes.add<Vertex, double>("carried");
+            auto& advected = complex.attributes.add<Vertex, double>("advected");
             auto& label = complex.attributes.add<Vertex>(
                 "label", 0.0, [](double a, double, double) { return a; });
             field.set_field(true);
-            carried.set_field(true, OnInterface::carried);
+            advected.set_field(true, OnInterface::advected);
             Options<double> options{.edge_length = test::disc_h};
             options.insertion = insertion;
             options.interface.coarsening = Coarsening::length;
             const auto simulation = test::make_simulation(complex, options, way);
             for (const Vertex v : vertices(complex)) {
                 field[v] = plane_at(complex.position(v));
-                carried[v] = is_interface(complex, v) ? -1 : plane_at(complex.position(v));
+                advected[v] = is_interface(complex, v) ? -1 : plane_at(complex.position(v));
                 label[v] = is_interface(complex, v) ? 1 : 0;
             }
             OperationCounts counts;
@@ -46,7 +46,7 @@ TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
                 ASSERT_NEAR(field[v], plane_at(complex.position(v)), 1e-12)
                     << way.name << ", vertex " << v.id;
                 if (is_interface(complex, v)) {
-                    ASSERT_EQ(carried[v], -1) << way.name;
+                    ASSERT_EQ(advected[v], -1) << way.name;
                     ASSERT_EQ(label[v], 1) << way.name;
                 }
             }

@@ -52,8 +52,8 @@ struct Kept {
 
 Kept keep_up(const Outline& outline, const Options<double>& options) {
     Kept kept{complex_of(outline), {}, {}, false};
-    mark_corners(kept.complex, collect_interface(kept.complex), options.interface.corner_degrees,
-                 0.0);
+    mark_features(kept.complex, collect_interface(kept.complex), options.interface.feature_degrees,
+                  0.0);
     Work<double> work(kept.complex, options);
     work.interface = collect_interface(kept.complex);
     for (int round = 0; round < 60 && !kept.ended; ++round) {
@@ -92,7 +92,7 @@ TEST(Coarsening, KeepsCornersAndTakesWhatIsBesideThem) {
         }
     }
     auto options = with(Coarsening::length);
-    options.interface.corner_degrees = 45;
+    options.interface.feature_degrees = 45;
     const Kept kept = keep_up(outline, options);
     EXPECT_GE(kept.counts.interface_collapses, 6U);
     for (const Point<double>& corner : corners) {
@@ -157,13 +157,13 @@ TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
 
 double largest_turn(const Complex<double>& complex, double shortest) {
     double largest = 0;
-    Ring<double> ring;
+    Star<double> star;
     for (const std::uint32_t v : collect_interface(complex)) {
-        EXPECT_TRUE(gather(complex, Region{}, v, ring));
-        const IncidentEdges s = interface_edges_of(ring);
-        const Point<double> p(ring.x0, ring.y0);
-        const Point<double> a = link_point(ring, s.first);
-        const Point<double> b = link_point(ring, s.second);
+        EXPECT_TRUE(gather(complex, Region{}, v, star));
+        const IncidentEdges s = interface_edges_of(star);
+        const Point<double> p(star.x0, star.y0);
+        const Point<double> a = link_point(star, s.first);
+        const Point<double> b = link_point(star, s.second);
         const double length = std::max((a - p).norm(), (b - p).norm());
         if (length > shortest) {
             largest = std::max(largest, std::abs(curvature<double>(a, p, b)) * length);
@@ -177,7 +177,7 @@ TEST(Sizes, FollowTheCurvature) {
     auto options = with(Coarsening::never);
     const Kept plain = keep_up(outline, options);
     options.interface.turn_degrees = 20;
-    options.interface.corner_degrees = 180;
+    options.interface.feature_degrees = 180;
     options.interface.finest = 0.02;
     const Kept fine = keep_up(outline, options);
     EXPECT_TRUE(fine.ended);
@@ -207,18 +207,18 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
         }
         Work<double> work(complex, options);
         work.interface = collect_interface(complex);
-        mark_corners(complex, work.interface, options.interface.corner_degrees, 0.0);
+        mark_features(complex, work.interface, options.interface.feature_degrees, 0.0);
         for (int round = 0; round < 10; ++round) {
             remesh_interface(work);
         }
         EXPECT_EQ(validate(complex).problem, "");
         double longest = 0;
-        Ring<double> ring;
+        Star<double> star;
         for (const std::uint32_t v : work.interface) {
-            ASSERT_TRUE(gather(complex, Region{}, v, ring));
-            const IncidentEdges s = interface_edges_of(ring);
-            const Point<double> p(ring.x0, ring.y0);
-            longest = std::max(longest, (link_point(ring, s.first) - p).norm());
+            ASSERT_TRUE(gather(complex, Region{}, v, star));
+            const IncidentEdges s = interface_edges_of(star);
+            const Point<double> p(star.x0, star.y0);
+            longest = std::max(longest, (link_point(star, s.first) - p).norm());
         }
         if (follows) {
             EXPECT_LE(longest, 2 * width * 1.0001);
@@ -236,17 +236,17 @@ TEST(Sizes, KnowNoGapToTheSameSheet) {
     std::size_t cut = 0;
     for (const Outline& outline : {square, small, ellipse(0.3, 0.15, 40)}) {
         const auto complex = complex_of(outline);
-        Ring<double> ring;
+        Star<double> star;
         for (const std::uint32_t v : collect_interface(complex)) {
-            ASSERT_TRUE(gather(complex, Region{}, v, ring));
-            const IncidentEdges incident = interface_edges_of(ring);
-            EXPECT_TRUE(std::isinf(squared_gap(complex, ring, incident)));
-            for (std::uint32_t i = 0; i < ring.size; ++i) {
+            ASSERT_TRUE(gather(complex, Region{}, v, star));
+            const IncidentEdges incident = interface_edges_of(star);
+            EXPECT_TRUE(std::isinf(squared_gap(complex, star, incident)));
+            for (std::uint32_t i = 0; i < star.size; ++i) {
                 const bool is_beside = i == incident.first || i == incident.second ||
-                                       (i + 1) % ring.size == incident.first ||
-                                       (i + 1) % ring.size == incident.second;
-                const Phase across = complex.phase_at(complex.twin(ring.corner[i]));
-                cut += is_beside && across != ring.phase[i] ? 1U : 0U;
+                                       (i + 1) % star.size == incident.first ||
+                                       (i + 1) % star.size == incident.second;
+                const Phase across = complex.phase_at(complex.twin(star.corner[i]));
+                cut += is_beside && across != star.phase[i] ? 1U : 0U;
             }
         }
     }
@@ -261,7 +261,7 @@ TEST(Corners, AreTurnsOfMoreThanFortyDegrees) {
             complex_of({{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.6}, {0.5, 0.6 + high}, {0.3, 0.6}});
         const Simulation<double> simulation(complex, options_for<double>(h));
         const auto corners = std::ranges::count_if(simulation.interface(), [&](std::uint32_t v) {
-            return (complex.vertices[v].flags & vertex_corner) != 0;
+            return (complex.vertices[v].flags & vertex_feature) != 0;
         });
         EXPECT_EQ(corners, turn > 40 ? 5 : 4);
     }
@@ -277,10 +277,10 @@ TEST(Corners, AreTurnsAtTheScaleOfTheMesh) {
     for (const auto& [outline, corners] : {std::pair(circle, 0), std::pair(square, 4)}) {
         auto complex = initial_complex<double>({}, {Shape{outline, 1}},
                                                {.edge_length = h, .detail = Detail::keep});
-        mark_corners(complex, collect_interface(complex), 40, feature_arc * h);
+        mark_features(complex, collect_interface(complex), 40, feature_arc * h);
         int marked = 0;
         for (const Vertex v : vertices(complex)) {
-            marked += complex.is_corner(v) ? 1 : 0;
+            marked += complex.is_feature(v) ? 1 : 0;
         }
         EXPECT_EQ(marked, corners);
     }
@@ -293,7 +293,7 @@ TEST(Corners, AreMarkedOnceAndKept) {
     Simulation<double> simulation(complex, options);
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t v : simulation.interface()) {
-        if ((complex.vertices[v].flags & vertex_corner) != 0) {
+        if ((complex.vertices[v].flags & vertex_feature) != 0) {
             corners.push_back(v);
         }
     }
@@ -322,10 +322,10 @@ TEST(Corners, AreMarkedOnceAndKept) {
 double worst_quality_at(const Complex<double>& complex,
                         const std::vector<std::uint32_t>& interface) {
     double worst = 1;
-    Ring<double> ring;
+    Star<double> star;
     for (const std::uint32_t v : interface) {
-        EXPECT_TRUE(gather(complex, Region{}, v, ring));
-        worst = std::min(worst, worst_quality_squared(ring, ring.x0, ring.y0));
+        EXPECT_TRUE(gather(complex, Region{}, v, star));
+        worst = std::min(worst, worst_quality_squared(star, star.x0, star.y0));
     }
     return std::sqrt(worst);
 }

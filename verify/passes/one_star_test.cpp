@@ -169,10 +169,10 @@ TEST(Passes, AreAsManyAsVerticesNeedToArrive) {
     EXPECT_EQ(passes, sub_steps);
 }
 
-// --- walls, and stars that are kept --------------------------------------------------------------
+// --- sides, and stars that are kept --------------------------------------------------------------
 
 // Four by four squares; (i, j) has the id 5 j + i.
-TEST(Walls, AreLeftByNoVertex) {
+TEST(Boundaries, AreLeftByNoVertex) {
     auto complex = test::grid<double>(4);
     auto options = options_for<double>(1);
     Work<double> work(complex, options);
@@ -193,26 +193,26 @@ TEST(KeptStars, AreReadUntilTheyChange) {
     const auto options = options_for<double>(1);
     Work<double> work(complex, options);
     work.epoch = 1;
-    ASSERT_TRUE(gather(complex, Region{}, 12, work.ring));
-    work.stars = {keep_star(complex, work.ring, {})};
+    ASSERT_TRUE(gather(complex, Region{}, 12, work.star));
+    work.stars = {cache_star(complex, work.star, {})};
     complex.set_position(Vertex{11}, {1.9, 1.2});
-    Ring<double> walked;
+    Star<double> walked;
     ASSERT_TRUE(gather(complex, Region{}, 12, walked));
-    gather_kept(complex, Region{}, work.stars[0], work.ring);
-    ASSERT_EQ(work.ring.size, walked.size);
+    gather_cached(complex, Region{}, work.stars[0], work.star);
+    ASSERT_EQ(work.star.size, walked.size);
     for (std::uint32_t i = 0; i < walked.padded(); ++i) {
-        EXPECT_EQ(work.ring.x[i], walked.x[i]);
-        EXPECT_EQ(work.ring.y[i], walked.y[i]);
-        EXPECT_EQ(work.ring.x_next[i], walked.x_next[i]);
-        EXPECT_EQ(work.ring.y_next[i], walked.y_next[i]);
+        EXPECT_EQ(work.star.x[i], walked.x[i]);
+        EXPECT_EQ(work.star.y[i], walked.y[i]);
+        EXPECT_EQ(work.star.x_next[i], walked.x_next[i]);
+        EXPECT_EQ(work.star.y_next[i], walked.y_next[i]);
     }
     // Its link reaches from 1 to 3.
     for (const auto kind : {Region::Kind::upright, Region::Kind::box}) {
         for (const auto& [low, high, owned] :
              {std::tuple(1.0, 3.5, true), {1.01, 3.5, false}, {1.0, 3.0, false}}) {
-            gather_kept(complex, {.kind = kind, .low = low, .high = high}, work.stars[0],
-                        work.ring);
-            EXPECT_EQ(work.ring.owned, owned) << low << " to " << high;
+            gather_cached(complex, {.kind = kind, .low = low, .high = high}, work.stars[0],
+                          work.star);
+            EXPECT_EQ(work.star.owned, owned) << low << " to " << high;
         }
     }
     work.interface = {12};

@@ -35,7 +35,7 @@ TEST(RemeshingList, VerticesOfNoInterfaceLeaveIt) {
 }
 
 TEST(RemeshingList, AVertexOfTooManyTrianglesStaysOnIt) {
-    constexpr std::uint32_t degree = Ring<double>::capacity + 4;
+    constexpr std::uint32_t degree = Star<double>::capacity + 4;
     auto complex = test::wheel<double>(degree);
     for (std::uint32_t i = 0; i < degree / 2; ++i) {
         complex.set_phase(Triangle{i + 1}, 1);

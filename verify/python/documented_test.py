@@ -97,7 +97,7 @@ class Options(unittest.TestCase):
             if name != "edge_length":
                 self.assertIn(f", default {value!r}\n", dsc.Simulation.__doc__)
                 default = ast.literal_eval(defaults[name])
-                self.assertEqual(list(default) if name == "carried_phases" else default, value, name)
+                self.assertEqual(list(default) if name == "advected_phases" else default, value, name)
         names, _ = stubbed()["initial_complex"]
         for name in names[3:]:
             self.assertRegex(dsc.initial_complex.__doc__, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")

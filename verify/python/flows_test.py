@@ -65,7 +65,7 @@ class ByPair(unittest.TestCase):
         left = np.c_[np.cos(turn), np.sin(turn)]
         halves = {1: 0.5 + 0.3 * left, 2: 0.5 - 0.3 * left}
         mesh = dsc.initial_complex(DOMAIN, halves, edge_length=edge_length)
-        sim = dsc.Simulation(mesh, edge_length=edge_length, corner_degrees=180)
+        sim = dsc.Simulation(mesh, edge_length=edge_length, feature_degrees=180)
         dsc.run(sim, dsc.curvature_flow(**given), 5e-4, 8)
         return mesh
 
@@ -95,7 +95,7 @@ class ByPair(unittest.TestCase):
         centres = empty.points[empty.triangles].mean(axis=1)
         near = np.hypot(*(centres[:, None] - seeds).T).argmin(axis=0)
         mesh = dsc.Mesh(empty.points, empty.triangles, 1 + near)
-        sim = dsc.Simulation(mesh, edge_length=H, corner_degrees=180, topology="change")
+        sim = dsc.Simulation(mesh, edge_length=H, feature_degrees=180, topology="change")
         dsc.run(sim, dsc.curvature_flow(), 2e-4, 50)
         before = dsc.grains(mesh)
         dsc.run(sim, dsc.curvature_flow(), 2e-5, 5)
@@ -181,7 +181,7 @@ class ThatSeeTheInterface(unittest.TestCase):
         self.assertAlmostEqual(one.lengths.sum(), 2 * np.pi * 0.15, delta=1e-2)
         self.assertEqual(set(one.left), {1})
         self.assertEqual(set(one.right), {0})
-        for flags in (one.is_junction, one.is_corner, one.is_on_boundary, one.is_locked):
+        for flags in (one.is_junction, one.is_feature, one.is_on_boundary, one.is_locked):
             self.assertFalse(flags.any())
 
     def test_arms_leave_junctions(self):

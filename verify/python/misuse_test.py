@@ -154,7 +154,7 @@ CASES = {
     "data of ragged rows": (data("x", [[0, 1], [1]]), INPUT, "x: not the data of these"),
     "velocity of ragged rows": (stepped(lambda x, t: [[0, 1], [1]]), INPUT, "what the velocity returns: not an array"),
     "option that is an array": (stepped(swirl, deviation=np.zeros(3)), INPUT, "deviation: bad value"),
-    "phases that are carried and none": (stepped(swirl, carried_phases="all"), INPUT, "carried_phases: bad value"),
+    "phases that are advected and none": (stepped(swirl, advected_phases="all"), INPUT, "advected_phases: bad value"),
     "restored from other bytes": (lambda mesh: dsc.Simulation(mesh, edge_length=H)._restore(b"abc"),
                                   dsc.FileError, "simulation: ends too early"),
     "mesh from other bytes": (lambda mesh: mesh.__reduce__()[0](b"abc"), dsc.FileError, "mesh: is too short"),
@@ -227,6 +227,14 @@ class Misuse(unittest.TestCase):
         disc_mesh()  # takes the memory
         self.assertEqual((points.sum(), curve.points.sum()), sums)
         self.assertTrue(np.array_equal(seen[0].positions, positions))
+
+    def test_options_are_known_by_their_names_of_the_first_release(self):
+        with self.assertWarnsRegex(FutureWarning, "'corner_degrees' is now called 'feature_degrees'"):
+            self.assertEqual(dsc.Simulation(disc_mesh(), edge_length=H, corner_degrees=20).options["feature_degrees"], 20)
+        with self.assertWarnsRegex(FutureWarning, "'least_pixels' is now called 'min_pixels'"):
+            labels = np.zeros((20, 20), int)
+            labels[3, 3] = labels[8:14, 8:14] = 1
+            self.assertEqual(dsc.from_labels(labels, least_pixels=4, edge_length=1).input_report.dropped, 1)
 
     def test_a_simulation_keeps_its_mesh(self):
         sim = dsc.Simulation(disc_mesh(), edge_length=H)

@@ -22,7 +22,7 @@ class Steps(unittest.TestCase):
     def test_curvature_flow_keeps_areas(self):
         square = [(0.3, 0.3), (0.7, 0.3), (0.7, 0.7), (0.3, 0.7)]
         mesh = dsc.initial_complex(((0, 0), (1, 1)), {1: square}, edge_length=H)
-        sim = dsc.Simulation(mesh, edge_length=H, corner_degrees=180)
+        sim = dsc.Simulation(mesh, edge_length=H, feature_degrees=180)
         dsc.run(sim, dsc.curvature_flow(keep_areas_of=mesh), 1e-3, 20)
         self.assertAlmostEqual(mesh.areas[1], 0.16, places=9)
         distances = np.hypot(*(mesh.outlines(1)[0] - 0.5).T)

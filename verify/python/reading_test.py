@@ -21,7 +21,7 @@ class Measures(unittest.TestCase):
         phases, lengths = mesh.figures["phases"], mesh.figures["lengths"]
         self.assertEqual({phase: one["components"] for phase, one in phases.items()}, {0: 1, 1: 2, 2: 1})
         self.assertEqual({phase: one["holes"] for phase, one in phases.items()}, {0: 2, 1: 1, 2: 0})
-        self.assertAlmostEqual(phases[0]["wall"], 4)
+        self.assertAlmostEqual(phases[0]["boundary"], 4)
         self.assertEqual(set(lengths), {(0, 1), (1, 2)})
         ring = mesh.outlines(2)[0]
         self.assertAlmostEqual(lengths[1, 2], np.hypot(*(np.roll(ring, -1, axis=0) - ring).T).sum())

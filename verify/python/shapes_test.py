@@ -108,7 +108,7 @@ class Labels(unittest.TestCase):
         self.assertEqual({k: round(v, 5) for k, v in mesh.areas.items()}, {1: 4, 2: 7, 3: 1})
         self.assertEqual(mesh.points.max(axis=0).tolist(), [4, 3])
         self.assertGreater(mesh.points[mesh.triangles][mesh.phases == 1].mean(axis=(0, 1))[1], 2)  # the first row
-        mesh = dsc.from_labels(labels.tolist(), DOMAIN, least_pixels=2, edge_length=.05)
+        mesh = dsc.from_labels(labels.tolist(), DOMAIN, min_pixels=2, edge_length=.05)
         self.assertEqual({k: round(v, 6) for k, v in mesh.areas.items()}, {1: .333333, 2: .666667})
         self.assertEqual(mesh.input_report.dropped, 1)
         self.assertFalse(mesh.validate())
@@ -118,7 +118,7 @@ class Labels(unittest.TestCase):
         for labels, options, words in [(hidden, {}, "labels: masked entries: got 2 of 4"),
                                        ([[1, -1]], {}, "labels: not an array of numbers"),
                                        ([1, 2], {}, "labels: not an array of numbers"),
-                                       ([[1, 2]], {"least_pixels": -1}, "least_pixels: not a count"),
+                                       ([[1, 2]], {"min_pixels": -1}, "min_pixels: not a count"),
                                        ([[1, 2]], {"detail": "fine"}, "detail"),
                                        (np.zeros((0, 3), int), {}, "no pixels")]:
             with self.assertRaisesRegex(dsc.InputError, words):

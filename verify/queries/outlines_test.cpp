@@ -100,7 +100,7 @@ TEST(Outlines, OfThreePhasesEndAtJunctions) {
     EXPECT_EQ(ids(only(curves, 2, 0).vertices), (Ids{7, 8, 13, 18, 17}));
     ASSERT_EQ(outlines(complex, 1).size(), 1U);
     EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{6, 7, 12, 17, 16, 11}));
-    // Taken together they have one outline, without the wall between them.
+    // Taken together they have one outline, without the domain boundary between them.
     const auto both = outlines_where(complex, [](Phase p) { return p != 0; });
     ASSERT_EQ(both.size(), 1U);
     EXPECT_EQ(turned(both[0]), (Ids{6, 7, 8, 13, 18, 17, 16, 11}));

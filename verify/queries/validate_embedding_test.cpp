@@ -104,8 +104,8 @@ TYPED_TEST(ValidateEmbedding, SeesADomainThatLiesOverItself) {
     expect_problem(road<TypeParam>(1, 16), "lies over itself"); // the ends touch
 }
 
-// Both walls of a slit, one above the other, side by side, and on each other.
-TYPED_TEST(ValidateEmbedding, SeesVerticalWallsThatMeet) {
+// Both sides of a slit, one above the other, side by side, and on each other.
+TYPED_TEST(ValidateEmbedding, SeesVerticalBoundariesThatMeet) {
     using P = Point<TypeParam>;
     const auto with = [](TypeParam x, TypeParam y) {
         Complex<TypeParam> complex = grid<TypeParam>(8);

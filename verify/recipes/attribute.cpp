@@ -10,7 +10,7 @@
 
 using namespace dsc;
 
-TEST(Recipe, AnAttributeIsCarriedAlong) {
+TEST(Recipe, AnAttributeIsAdvectedAlong) {
     auto complex = test::disc_complex<double>(0.03);
     auto& start_x = complex.attributes.add<Vertex>("start_x", 0.0); // the line
     for (const Vertex v : vertices(complex)) {

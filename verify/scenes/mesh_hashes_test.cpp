@@ -64,7 +64,7 @@ bool runs(const Scene& scene, Strategy strategy, RealType real) {
     const Setup setup = scene.prepare(scene.defaults);
     return strategy != Strategy::reference ||
            (real == RealType::double_precision && !is_long() && !is_short() &&
-            !setup.sees_interface() && setup.carried.empty() && scene.defaults.grade == 0);
+            !setup.sees_interface() && setup.advected.empty() && scene.defaults.grade == 0);
 }
 
 // By scene and strategy.

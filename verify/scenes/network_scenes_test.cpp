@@ -88,7 +88,7 @@ std::map<Phase, Grain> grains_inside(const Complex<double>& complex) {
     const PhaseReport report = measure_phases(complex);
     std::map<Phase, Grain> grains;
     for (const PhaseFigures& one : report.phases) {
-        if (one.wall == 0 && one.components == 1 && one.holes == 0) {
+        if (one.boundary == 0 && one.components == 1 && one.holes == 0) {
             grains[one.phase].area = one.area;
         }
     }

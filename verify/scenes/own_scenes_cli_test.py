@@ -19,13 +19,13 @@ v = "-sin(pi*y)^2 * sin(2*pi*x) * cos(pi*t/period)"
 [[shape]]
 circle = { centre = [0.5, 0.7], radius = 0.15 }
 [exact]
-carried = true
+advected = true
 """
 LENIENT = """[limits]
 sd_rel_last = 0.1
 inverted = 0
-min_angle_deg_last.least = 5
-area_ratio = { least = 0.9, most = 1.1 }
+min_angle_deg_last.min = 5
+area_ratio = { min = 0.9, max = 1.1 }
 """
 
 
@@ -96,7 +96,7 @@ class WhereItFails(OwnScenes):
             return json.load(stream)
 
     def test_the_sharpest_corner(self):
-        text, row = self.broken("min_angle_deg_last.least = 59")
+        text, row = self.broken("min_angle_deg_last.min = 59")
         place = row["place"]
         measured = row["measured"]
         self.assertIn(f"an angle of {measured:.4g} degrees", place["what"])

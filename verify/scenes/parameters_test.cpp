@@ -103,17 +103,17 @@ INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
 // What a result file says of a run can be given back to the command line.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
     const std::map<std::string, std::string> texts{
-        {"h", "0.125"},           {"dt", "0.5"},          {"steps", "260"},
-        {"period", "8"},          {"angle", "30"},        {"grains", "25"},
-        {"inside", "coarse"},     {"outside", "coarse"},  {"ramp", "linear"},
-        {"integrator", "euler"},  {"tolerance", "0.25"},  {"insertion", "linear"},
-        {"coarsening", "length"}, {"reading", "cubic"},   {"longest", "1.25"},
-        {"shortest", "0.125"},    {"deviation", "0.5"},   {"turn", "15"},
-        {"corner", "180"},        {"gap", "2"},           {"grading", "2.5"},
-        {"finest", "0.0625"},     {"grade", "1.25"},      {"topology", "change"},
-        {"contact", "0.0078125"}, {"least_area", "0.25"}, {"seams", "no"},
-        {"give_back", "yes"},     {"detail", "keep"},     {"border_tolerance", "0.0625"},
-        {"coverage", "first"},    {"real", "float"},      {"seed", "18446744073709551615"}};
+        {"h", "0.125"},           {"dt", "0.5"},         {"steps", "260"},
+        {"period", "8"},          {"angle", "30"},       {"grains", "25"},
+        {"inside", "coarse"},     {"outside", "coarse"}, {"ramp", "linear"},
+        {"integrator", "euler"},  {"tolerance", "0.25"}, {"insertion", "linear"},
+        {"coarsening", "length"}, {"reading", "cubic"},  {"longest", "1.25"},
+        {"shortest", "0.125"},    {"deviation", "0.5"},  {"turn", "15"},
+        {"feature", "180"},       {"gap", "2"},          {"grading", "2.5"},
+        {"finest", "0.0625"},     {"grade", "1.25"},     {"topology", "change"},
+        {"contact", "0.0078125"}, {"min_area", "0.25"},  {"seams", "no"},
+        {"give_back", "yes"},     {"detail", "keep"},    {"border_tolerance", "0.0625"},
+        {"coverage", "first"},    {"real", "float"},     {"seed", "18446744073709551615"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);
@@ -155,6 +155,18 @@ TEST(Parameters, ComeAsKeyAndValue) {
         EXPECT_THROW(apply_setting(parameters, all_keys(), setting), InputError) << setting;
     }
     EXPECT_EQ(parameters.h, 0.25);
+}
+
+TEST(Parameters, AreKnownByTheirNamesOfTheFirstRelease) {
+    Parameters parameters;
+    testing::internal::CaptureStderr();
+    apply_setting(parameters, all_keys(), "corner=20");
+    apply_setting(parameters, all_keys(), "least_area=2");
+    const std::string warnings = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(parameters.interface.feature_degrees, 20);
+    EXPECT_EQ(parameters.min_area, 2);
+    EXPECT_NE(warnings.find("'corner' is now called 'feature'"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("'least_area' is now called 'min_area'"), std::string::npos);
 }
 
 TEST(Parameters, RefuseAnUnknownKeyAndNameThoseThatThereAre) {

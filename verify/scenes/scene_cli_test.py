@@ -40,7 +40,7 @@ class SceneGood(CommandLine):
         self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 
     def test_three_dimensions(self):
-        """A ball that is carried along comes to where it belongs, the same at each call."""
+        """A ball that is advected comes to where it belongs, the same at each call."""
         results = []
         for _ in range(2):
             done = self.call("run", "translation-3d", "--set", "h=0.0625", "--json",

@@ -117,7 +117,7 @@ TEST(RunScene, SaysHowThePhasesDivideTheDomain) {
     EXPECT_EQ(phases[1]["phase"], 1);
     EXPECT_NEAR(phases[0]["area"].get<double>() + phases[1]["area"].get<double>(), 1, 1e-13);
     EXPECT_NEAR(phases[1]["area"].get<double>(), json["area_last"].get<double>(), 1e-3);
-    EXPECT_NEAR(phases[0]["wall"].get<double>(), 4, 1e-13);
+    EXPECT_NEAR(phases[0]["boundary"].get<double>(), 4, 1e-13);
     EXPECT_EQ(phases[0]["perimeter"], phases[1]["perimeter"]);
     EXPECT_EQ(phases[0]["holes"], 1);
     EXPECT_EQ(phases[1]["components"], 1);

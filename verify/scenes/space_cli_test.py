@@ -44,7 +44,7 @@ sd_rel_last = 0.08
 sd_rel_half = 0.08
 vertex_error_rms_h = 0.01
 unreached = 0
-min_dihedral_deg_ever.least = 5
+min_dihedral_deg_ever.min = 5
 """
 # A box whose faces have four corners each; the last one is its lid.
 BOX = """v 2 2 3\nv 8 2 3\nv 8 8 3\nv 2 8 3\nv 2 2 7\nv 8 2 7\nv 8 8 7\nv 2 8 7

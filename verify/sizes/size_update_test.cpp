@@ -28,7 +28,7 @@ protected:
         options.sizes.by_place = [this](const Point<double>& p, double, Phase) {
             return p.norm() < 0.1 ? at_origin : 4.0;
         };
-        // All of it is inside one phase: nothing is on an interface but the walls.
+        // All of it is inside one phase: nothing is on an interface but the sides of the domain.
         for (const Triangle t : triangles(complex)) {
             complex.set_phase(t, exterior_phase);
         }
@@ -40,9 +40,9 @@ protected:
         at_origin = target;
         Work<double> work(complex, options);
         SizeUpdate<double> remeshing(work);
-        Ring<double> ring;
-        EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-        EXPECT_NEAR(remeshing.follow(ring), target, 1e-12);
+        Star<double> star;
+        EXPECT_TRUE(gather(complex, Region{}, 0, star));
+        EXPECT_NEAR(remeshing.follow(star), target, 1e-12);
         std::ranges::sort(work.resized);
         return work.resized;
     }
@@ -73,9 +73,9 @@ TEST_F(Told, AreThoseWhomItHeldDownWhenItRises) {
     at_origin = 1;
     measure_sizes(complex, options.sizes, options.edge_length, 0.0);
     const auto& field = size_field(complex);
-    Ring<double> ring;
-    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-    EXPECT_NEAR(field[Vertex{ring.link[0]}].length, 1.3, 1e-6);
+    Star<double> star;
+    ASSERT_TRUE(gather(complex, Region{}, 0, star));
+    EXPECT_NEAR(field[Vertex{star.link[0]}].length, 1.3, 1e-6);
     EXPECT_EQ(told_of(1.5).size(), 6U);
 }
 
@@ -97,9 +97,9 @@ protected:
     double follow() {
         Work<double> work(complex, options);
         SizeUpdate<double> remeshing(work);
-        Ring<double> ring;
-        EXPECT_TRUE(gather(complex, Region{}, 0, ring));
-        const double length = remeshing.follow(ring);
+        Star<double> star;
+        EXPECT_TRUE(gather(complex, Region{}, 0, star));
+        const double length = remeshing.follow(star);
         told = work.resized.size();
         return length;
     }

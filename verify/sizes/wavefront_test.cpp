@@ -21,7 +21,7 @@ namespace {
 
 double between(const Point<double>& a, double value_a, const Point<double>& b, double value_b,
                double slope) {
-    return least_between<double>(a.x(), a.y(), value_a, b.x(), b.y(), value_b, slope);
+    return min_between<double>(a.x(), a.y(), value_a, b.x(), b.y(), value_b, slope);
 }
 
 TEST(Wavefront, KeepsToTheEndsWhereNothingIsKnown) {
@@ -96,24 +96,24 @@ TEST(MeasureSizes, AreBoundByEachOption) {
 TEST(WavefrontLimits, BothEndsOfAnOpenLinkCount) {
     const auto complex = test::grid<double>(4, 0.1);
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        Ring<double> ring;
-        ASSERT_TRUE(gather(complex, Region{}, v, ring));
-        if (ring.closed) {
+        Star<double> star;
+        ASSERT_TRUE(gather(complex, Region{}, v, star));
+        if (star.closed) {
             continue;
         }
-        for (const std::uint32_t low : {0U, ring.size}) {
+        for (const std::uint32_t low : {0U, star.size}) {
             LinkValues<double> values;
-            values.take(ring, [&](std::uint32_t w) { return w == ring.link[low] ? 0.0 : 1e3; });
-            const Point<double> end(ring.link_x(low), ring.link_y(low));
-            EXPECT_NEAR(least_over_link(ring, 0.5, values),
-                        0.5 * (end - Point<double>(ring.x0, ring.y0)).norm(), 1e-12)
+            values.take(star, [&](std::uint32_t w) { return w == star.link[low] ? 0.0 : 1e3; });
+            const Point<double> end(star.link_x(low), star.link_y(low));
+            EXPECT_NEAR(min_over_link(star, 0.5, values),
+                        0.5 * (end - Point<double>(star.x0, star.y0)).norm(), 1e-12)
                 << v;
         }
     }
 }
 
-// Vertex 0 is reached late, from 1 alone; the front from the wall's edge between 0 and 3 arrives at
-// 2 before any that goes along an edge.
+// Vertex 0 is reached late, from 1 alone; the front from the domain boundary's edge between 0 and 3
+// arrives at 2 before any that goes along an edge.
 TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
     const std::vector<Point<double>> points{{0, 0}, {0.3, 0.02}, {-1, 1}, {-2, 0}};
     auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
@@ -130,7 +130,7 @@ TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
     const Point<double> from_0 = points[0] - points[2];
     const Point<double> from_3 = points[3] - points[2];
     const double straight =
-        least_between<double>(from_3.x(), from_3.y(), 1, from_0.x(), from_0.y(), at_0, 0.1);
+        min_between<double>(from_3.x(), from_3.y(), 1, from_0.x(), from_0.y(), at_0, 0.1);
     ASSERT_LT(straight, 1.12);
     EXPECT_NEAR(field[Vertex{2}].length, straight, 1e-12);
 }
@@ -146,19 +146,19 @@ TEST(SizeLimits, WhatIsSeenToStayIsNotFollowed) {
         int within = 0;
         int stays = 0;
         for (const Vertex v : vertices(complex)) {
-            Ring<double> ring;
+            Star<double> star;
             std::vector<VertexSize<double>> field(complex.vertex_bound());
-            ASSERT_TRUE(gather(complex, Region{}, v.id, ring));
+            ASSERT_TRUE(gather(complex, Region{}, v.id, star));
             for (VertexSize<double>& size : field) {
                 size.length = h * share(random);
             }
-            if (!ring.closed || is_on_interface(ring)) {
+            if (!star.closed || is_on_interface(star)) {
                 continue;
             }
             const double stored = field[v.id].length;
-            const double now = rule.at(ring, field, 0).length;
+            const double now = rule.at(star, field, 0).length;
             const bool is_within = std::abs(now - stored) <= rule.slack() * std::min(now, stored);
-            const bool is_seen = rule.stays(ring, field, stored, 0);
+            const bool is_seen = rule.stays(star, field, stored, 0);
             EXPECT_TRUE(is_within || !is_seen) << v.id << ": " << stored << " to " << now;
             within += is_within ? 1 : 0;
             stays += is_seen ? 1 : 0;
@@ -180,9 +180,9 @@ TEST(SizeLimits, EachPhaseOfAStarIsAskedFor) {
         std::vector<Phase> phases(4, 0);
         phases[single] = 1;
         const auto complex = test::build<double>(points, triangles, phases);
-        Ring<double> ring;
-        ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-        EXPECT_EQ(SizeRule<double>(sizes, 1).own(ring, 0, 0), 2) << single;
+        Star<double> star;
+        ASSERT_TRUE(gather(complex, Region{}, 0, star));
+        EXPECT_EQ(SizeRule<double>(sizes, 1).own(star, 0, 0), 2) << single;
     }
 }
 

@@ -156,8 +156,8 @@ private:
         };
         if (operation == "smoothing" && is_pair(Verdict::legal, Verdict::no_gain)) {
             const Vertex v = vertices.front();
-            return std::abs(reference::ring_quality(after, v) -
-                            reference::ring_quality(given_.copied, v)) < 1e-14;
+            return std::abs(reference::star_quality(after, v) -
+                            reference::star_quality(given_.copied, v)) < 1e-14;
         }
         if (operation == "collapse" && verdict == Verdict::changes_topology &&
             expected == Verdict::inverts) {

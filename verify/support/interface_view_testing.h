@@ -70,7 +70,7 @@ std::string view_fault(const InterfaceView<Real>& view) {
         const auto& record = view.complex.vertices[view.vertices[i].id];
         expect(view.is_on_boundary(i) == is_boundary(view.complex, view.vertices[i]), i,
                "boundary flag");
-        expect(view.is_corner(i) == ((record.flags & vertex_corner) != 0), i, "corner flag");
+        expect(view.is_feature(i) == ((record.flags & vertex_feature) != 0), i, "corner flag");
         expect(view.is_junction(i) == (view.next[i] == no_id) &&
                    view.is_junction(i) == (view.previous[i] == no_id) &&
                    view.is_junction(i) == !arms_of(view, i).empty(),

@@ -76,18 +76,18 @@ inline std::vector<NamedPartitioner> ways_to_divide(std::uint32_t recut) {
                  SlabOptions{.slabbing = Slabbing::active,
                              .submeshes = 4,
                              .degrees = 20,
-                             .least_width = 3,
+                             .min_width = 3,
                              .recut = recut});
          }},
         {"blocks",
          [=] {
              return std::make_unique<BlockPartitioner<double>>(
-                 BlockOptions{.submeshes = 9, .least_width = 4, .recut = recut});
+                 BlockOptions{.submeshes = 9, .min_width = 4, .recut = recut});
          }},
         {"cells",
          [=] {
-             return std::make_unique<CellPartitioner<double>>(CellOptions{
-                 .submeshes = 4, .least_vertices = 8, .recut = recut, .recut_later = 1});
+             return std::make_unique<CellPartitioner<double>>(
+                 CellOptions{.submeshes = 4, .min_vertices = 8, .recut = recut, .recut_later = 1});
          }},
         {"Voronoi regions",
          [=] {

@@ -158,14 +158,14 @@ TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
 // Also where there was none before: then the set alone knows how many entries a new one has.
 TEST(CopiedSubmeshes, KnowHowLongNewAttributesAre) {
     auto mesh = test::disc_complex<double>(0.1);
-    mesh.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::carried);
+    mesh.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::advected);
     for (const auto colour : {RedBlack::red, RedBlack::black}) {
         CopiedSubmeshes<double> submeshes;
         create_submeshes(mesh, {3, 1, 0, colour}, submeshes);
         for (const auto& submesh : submeshes.list) {
             auto& copy = submesh->complex;
             EXPECT_EQ((copy.attributes.add<Vertex>("new", 0).size()), copy.vertices.size());
-            EXPECT_EQ(copy.attributes.list().front()->on_interface(), OnInterface::carried);
+            EXPECT_EQ(copy.attributes.list().front()->on_interface(), OnInterface::advected);
             EXPECT_TRUE(copy.attributes.has_fields());
             copy.attributes.remove("new");
         }

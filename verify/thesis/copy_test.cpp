@@ -59,8 +59,8 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
                  const std::lock_guard lock(mutex);
                  threads = std::max(threads, omp_get_num_threads());
                  const auto owns_star = [&](std::uint32_t v) {
-                     return gather(work.complex, work.submesh.region, v, work.ring) &&
-                            work.ring.owned;
+                     return gather(work.complex, work.submesh.region, v, work.star) &&
+                            work.star.owned;
                  };
                  const auto place = [&](std::uint32_t v) {
                      return Place(work.complex.vertices[v].x, work.complex.vertices[v].y);

@@ -161,7 +161,7 @@ TYPED_TEST(ThesisOperations, ACollapseKeepsACorner) {
         const auto v = K.vertices_of(middle);
         const Point<TypeParam> centroid =
             (K.position(v[0]) + K.position(v[1]) + K.position(v[2])) / TypeParam(3);
-        K.vertices[v[i].id].flags |= vertex_corner;
+        K.vertices[v[i].id].flags |= vertex_feature;
         const auto result =
             triangle_collapse(K, middle, {.place = centroid, .interface = InterfaceRule::change});
         EXPECT_EQ(result.verdict, Verdict::legal);

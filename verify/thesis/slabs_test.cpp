@@ -51,7 +51,7 @@ TEST(Cuts, OfTheTwoColoursLieApart) {
 }
 
 SlabOptions slab_options(Slabbing slabbing, std::uint32_t submeshes, double degrees = 0) {
-    return {.slabbing = slabbing, .submeshes = submeshes, .degrees = degrees, .least_width = 3};
+    return {.slabbing = slabbing, .submeshes = submeshes, .degrees = degrees, .min_width = 3};
 }
 
 TEST(Slabs, ShareTheWork) {
@@ -156,7 +156,7 @@ TEST(Cuts, OfFewSlabsAreFew) {
 TEST(Blocks, AreSquaresShiftedByThirds) {
     constexpr double h = 0.01;
     Divided disc(test::disc_complex<double>(h, {0.5, 0.5}, 0.25), h);
-    BlockPartitioner<double> partitioner({.submeshes = 17, .least_width = 8});
+    BlockPartitioner<double> partitioner({.submeshes = 17, .min_width = 8});
     disc.divide(partitioner);
     ASSERT_EQ(disc.partition.colours.size(), 3U);
     EXPECT_EQ(disc.regions(0).size(), 16U) << "the next square below";
@@ -186,10 +186,10 @@ TEST(Blocks, AreSquaresShiftedByThirds) {
         }
     }
     // Nothing is thinner than asked for.
-    BlockPartitioner<double> wide({.submeshes = 100, .least_width = 20});
+    BlockPartitioner<double> wide({.submeshes = 100, .min_width = 20});
     disc.divide(wide);
     EXPECT_EQ(disc.regions(0).size(), 4U);
-    BlockPartitioner<double> too_wide({.submeshes = 100, .least_width = 60});
+    BlockPartitioner<double> too_wide({.submeshes = 100, .min_width = 60});
     disc.divide(too_wide);
     ASSERT_EQ(disc.partition.colours.size(), 1U);
     EXPECT_TRUE(disc.regions(0).front().is_whole());

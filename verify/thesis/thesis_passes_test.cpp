@@ -34,10 +34,10 @@ void run_pass_named(Work<double>& work, std::string_view name, const ThesisThres
 
 // The disc turns by less than 30 degrees at each vertex, and by more than 5.
 TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMovesAndKeepsCorners) {
-    for (const double corner_degrees : {5.0, 40.0}) {
+    for (const double feature_degrees : {5.0, 40.0}) {
         auto complex = test::disc_complex<double>(0.1);
         auto options = options_for<double>(0.1);
-        options.interface.corner_degrees = corner_degrees;
+        options.interface.feature_degrees = feature_degrees;
         Work<double> work(complex, options);
         work.epoch = 1;
         work.log.readers = 1;
@@ -48,7 +48,7 @@ TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMovesAndKeepsCorners) {
         complex.set_position(off, complex.position(off) +
                                       0.2 * (complex.position(next) - complex.position(off)));
         run_pass_named(work, "interface smoothing", {.smooth_interface = true});
-        EXPECT_EQ(work.log.counts.smoothed > 0, corner_degrees > 30) << corner_degrees;
+        EXPECT_EQ(work.log.counts.smoothed > 0, feature_degrees > 30) << feature_degrees;
         std::size_t moved = 0;
         for (const Edit& edit : work.log.records) {
             if (edit.kind == EditKind::move) {
@@ -61,7 +61,8 @@ TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMovesAndKeepsCorners) {
     }
 }
 
-// Nothing but a vertex close to the wall is active: the triangle between them is far too small.
+// Nothing but a vertex close to the domain boundary is active: the triangle between them is far too
+// small.
 TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
     auto complex = test::grid<double>(6);
     constexpr std::uint32_t close = 7 + 1;
@@ -74,7 +75,7 @@ TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
     ASSERT_GT(work.log.counts.retriangulations, 0U);
     EXPECT_FALSE(complex.is_alive(Vertex{close}));
     EXPECT_GT(work.active.size(), 1U);
-    // Only vertices of the wall stay.
+    // Only boundary vertices stay.
     for (const std::uint32_t v : work.active) {
         const Point<double> p = complex.position(Vertex{v});
         EXPECT_TRUE(v == close || p.x() == 0 || p.y() == 0) << p.transpose();

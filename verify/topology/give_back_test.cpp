@@ -99,7 +99,7 @@ TEST(GiveBack, LeavesLockedVerticesAndCornersWhereTheyAre) {
     std::vector<Vertex> fixed;
     for (const Vertex v : vertices(complex)) {
         if (is_interface(complex, v) && complex.position(v).x() > 0.7) {
-            complex.vertices[v.id].flags |= fixed.size() % 2 == 0 ? vertex_locked : vertex_corner;
+            complex.vertices[v.id].flags |= fixed.size() % 2 == 0 ? vertex_locked : vertex_feature;
             fixed.push_back(v);
         }
     }

@@ -20,7 +20,7 @@ TEST(Grains, CoarsenToATenthAndNothingIsStuck) {
     test::ChangingOptions<double> options;
     options.edge_length = h;
     options.topology.rule = Topology::change;
-    options.interface.corner_degrees = 180; // curvature flow knows no corners
+    options.interface.feature_degrees = 180; // curvature flow knows no corners
     test::ChangingSimulation<double> simulation(complex, options);
     const InterfaceMotion<double> motion = curvature_flow<double>();
     const double dt = 0.4 * h * h;

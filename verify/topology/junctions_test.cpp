@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Junctions inside and at the sides of the domain: four sectors that come apart, ends of curves
-// that meet on the wall, junctions that reach it, and corners; and to whom small pieces go.
+// that meet on the domain boundary, junctions that reach it, and corners; and to whom small pieces
+// go.
 
 #include "support/topology/topology_testing.h"
 
@@ -31,7 +32,8 @@ using test::meeting_at;
 using test::nothing;
 using P = Point<double>;
 
-// Phase 2 stands on the wall, 0.1 wide, between 1 and 3; its sides move apart by `slope` upwards.
+// Phase 2 stands on the domain boundary, 0.1 wide, between 1 and 3; its sides move apart by `slope`
+// upwards.
 Complex<double> narrow_foot(double slope) {
     std::vector<std::vector<P>> rows;
     for (int y = 0; y <= 4; ++y) {
@@ -78,9 +80,10 @@ Complex<double> from_corner(double slope) {
                 [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
 }
 
-// --- ends that meet on the wall, and junctions that reach it ------------------------------------
+// --- ends that meet on the domain boundary, and junctions that reach it
+// ------------------------------------
 
-TEST(WallJunctions, ChangeToWhatCostsLess) {
+TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
     struct Row {
         const char* what;
         Complex<double> complex;
@@ -89,10 +92,14 @@ TEST(WallJunctions, ChangeToWhatCostsLess) {
         std::size_t inside;
     };
     const std::vector<Row> rows{
-        {"a phase leaves the wall where its foot is short", narrow_foot(0.3), {1, 3}, 1, 1},
+        {"a phase leaves the domain boundary where its foot is short",
+         narrow_foot(0.3),
+         {1, 3},
+         1,
+         1},
         {"two sides of a steep wedge at one place leave it", wedge(0, 5), {1, 3}, 1, 1},
         {"those of a flat one come apart", wedge(0, 0.5), {2}, 2, 0},
-        {"a short curve to the wall vanishes", wedge(0.1, 1), {2}, 2, 0}};
+        {"a short curve to the domain boundary vanishes", wedge(0.1, 1), {2}, 2, 0}};
     for (const Row& row : rows) {
         SCOPED_TRACE(row.what);
         auto complex = row.complex;
@@ -104,13 +111,13 @@ TEST(WallJunctions, ChangeToWhatCostsLess) {
         EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), row.taken);
         EXPECT_GT(events[0].area, 0);
         const Ends ends = ends_of(complex);
-        EXPECT_EQ(on_floor(ends.on_wall), row.on_floor);
+        EXPECT_EQ(on_floor(ends.on_boundary), row.on_floor);
         EXPECT_EQ(ends.inside.size(), row.inside);
         EXPECT_EQ(ends.crowded, 0U);
     }
 }
 
-TEST(WallJunctions, StayWhereThatCostsLessAndWhereTheyHaveTo) {
+TEST(BoundaryJunctions, StayWhereThatCostsLessAndWhereTheyHaveTo) {
     TopologyOptions<double> dear = changing(); // an interface between 1 and 3
     dear.energy = [](Phase one, Phase other) { return one + other == 4 ? 5.0 : 1.0; };
     TopologyOptions<double> kept = changing();
@@ -122,25 +129,26 @@ TEST(WallJunctions, StayWhereThatCostsLessAndWhereTheyHaveTo) {
     };
     const std::vector<Row> rows{
         {"the sides of a foot pull it open", narrow_foot(1.0)},
-        {"a junction pulls away from the wall", wedge(0.1, 5)},
+        {"a junction pulls away from the domain boundary", wedge(0.1, 5)},
         {"what would come instead is dear", narrow_foot(0.3), dear},
         {"the pair has to stay", narrow_foot(0.3), kept},
         {"the pair has to stay at a junction as well", wedge(0.1, 1), kept},
         {"a curve in a corner", from_corner(1.0)},
         {"a steep one", from_corner(2.0)},
         {"a flat one", from_corner(0.4)},
-        {"a curve stands upright on a wall that ends in a reentrant corner",
+        {"a curve stands upright on the domain boundary that ends in a reentrant corner",
          grid({-3, -2, -1, -0.1, 0, 1, 2, 3, 4}, {-3, -2, -1, 0, 1, 2, 3}, [](const P& p) {
              return p.x() < 0 && p.y() < 0 ? nothing : (p.x() < -0.1 ? 1U : 2U);
          })}};
     for (const Row& row : rows) {
         auto complex = row.complex;
         EXPECT_TRUE(change(complex, row.options).empty()) << row.what;
-        EXPECT_EQ(ends_of(complex).on_wall.size(), ends_of(row.complex).on_wall.size()) << row.what;
+        EXPECT_EQ(ends_of(complex).on_boundary.size(), ends_of(row.complex).on_boundary.size())
+            << row.what;
     }
 }
 
-TEST(WallJunctions, FourSectorsAtOnePlaceComeApart) {
+TEST(BoundaryJunctions, FourSectorsAtOnePlaceComeApart) {
     auto complex = grid({-3, -2, -1, 0, 1, 2, 3}, {0, 1, 2, 3}, [](const P& p) {
         return p.y() < std::abs(p.x()) ? (p.x() > 0 ? 1U : 4U) : (p.x() > 0 ? 2U : 3U);
     });
@@ -152,7 +160,7 @@ TEST(WallJunctions, FourSectorsAtOnePlaceComeApart) {
 
 // --- corners of the domain ----------------------------------------------------------------------
 
-TEST(WallJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherWall) {
+TEST(BoundaryJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherBoundary) {
     std::vector<double> ys;
     for (int y = 0; y <= 14; ++y) {
         ys.push_back(y);
@@ -168,15 +176,15 @@ TEST(WallJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherWall) {
     EXPECT_EQ(phase_at_corner(complex, P(0, 0)), 2U);
     EXPECT_EQ(phase_at_corner(complex, P(0, 14)), 2U);
     const Ends ends = ends_of(complex);
-    ASSERT_EQ(ends.on_wall.size(), 2U);
-    for (const P& end : ends.on_wall) {
+    ASSERT_EQ(ends.on_boundary.size(), 2U);
+    for (const P& end : ends.on_boundary) {
         EXPECT_EQ(end.x(), 0);
         EXPECT_LT(std::min(end.y(), 14 - end.y()), 0.3);
         EXPECT_GT(std::min(end.y(), 14 - end.y()), 0.1);
     }
 }
 
-TEST(WallJunctions, ACurveInACornerGoesOnWhereItLiesAlongAWall) {
+TEST(BoundaryJunctions, ACurveInACornerGoesOnWhereItLiesAlongAWall) {
     for (const auto& [slope, lost] : {std::pair{5.0, 1U}, std::pair{0.2, 2U}}) {
         auto complex = from_corner(slope);
         const auto events = change(complex);
@@ -188,7 +196,7 @@ TEST(WallJunctions, ACurveInACornerGoesOnWhereItLiesAlongAWall) {
 
 // --- what other changes leave behind ------------------------------------------------------------
 
-TEST(WallJunctions, WhereAFilmOpensAtAJunctionTheVertexComesApartAtOnce) {
+TEST(BoundaryJunctions, WhereAFilmOpensAtAJunctionTheVertexComesApartAtOnce) {
     std::vector<double> xs;
     for (int x = -8; x <= 8; ++x) {
         xs.push_back(x);
@@ -246,7 +254,7 @@ TEST(Pieces, GoToThePhaseThatTheyBorderOnMost) {
             return is_piece ? 1U : (p.x() < 0 ? most : 5 - most);
         });
         TopologyOptions<double> options = changing();
-        options.least_area = 1.01; // the piece has 1
+        options.min_area = 1.01; // the piece has 1
         const auto events = change(complex, options);
         ASSERT_EQ(events.size(), 1U);
         EXPECT_EQ(events[0].kind, EventKind::remove);

@@ -21,10 +21,10 @@ Velocity<double> shrink_to(P place) {
 
 // Phase 1 shrinks, by two percent of its area in a step, until it vanishes: that is at the area
 // asked for, but for a few steps.
-void expect_vanishes_below(double least_area, Complex<double> complex, P place, double length) {
+void expect_vanishes_below(double min_area, Complex<double> complex, P place, double length) {
     test::ChangingOptions<double> shrinking;
     shrinking.edge_length = length;
-    shrinking.topology = {.rule = Topology::change, .least_area = least_area};
+    shrinking.topology = {.rule = Topology::change, .min_area = min_area};
     test::ChangingSimulation<double> simulation(complex, shrinking);
     for (int step = 0; step < 600; ++step) {
         const test::ChangingReport report = simulation.step(shrink_to(place), 0, 0.01);
@@ -33,7 +33,7 @@ void expect_vanishes_below(double least_area, Complex<double> complex, P place, 
             ASSERT_EQ(report.events.size(), 1U);
             EXPECT_EQ(report.events[0].kind, EventKind::remove);
             EXPECT_EQ(phase_area(complex, 1), 0);
-            const double asked = least_area > 0 ? least_area : length * length;
+            const double asked = min_area > 0 ? min_area : length * length;
             EXPECT_LE(report.events[0].area, asked);
             EXPECT_GE(report.events[0].area, 0.9 * asked);
             return;
@@ -42,7 +42,7 @@ void expect_vanishes_below(double least_area, Complex<double> complex, P place, 
     ADD_FAILURE() << "it does not vanish";
 }
 
-// A disc inside, the half of one on a wall, and a quarter in a corner of the domain.
+// A disc inside, the half of one on the domain boundary, and a quarter in a corner of the domain.
 TEST(Remnants, VanishBelowTheLeastAreaWhateverTheirShape) {
     for (const double length : {0.04, 0.02}) {
         for (const double squares : {0.0, 1.0, 5.0, 20.0, 50.0}) {

@@ -163,7 +163,7 @@ TEST(TopologyOptions, BadOnesAreRefused) {
     refused([](auto& t) { t.contact = -1; });
     refused([](auto& t) { t.contact = 0.3; }); // wider than the discs
     refused([](auto& t) { t.contact = std::numeric_limits<double>::quiet_NaN(); });
-    refused([](auto& t) { t.least_area = -1; });
+    refused([](auto& t) { t.min_area = -1; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 1}}; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 0}, {.one = 0, .other = 1}}; });
     refused([](auto& t) { t.pairs = {{.one = 1, .other = 0, .contact = -1}}; });

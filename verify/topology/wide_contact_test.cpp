@@ -25,9 +25,10 @@ TEST(WideContactOf, DiscsLeaveNoHole) {
         constexpr double gap = 0.16;
         auto complex = discs_apart(gap, h);
         auto options = wide(contact * h, h);
-        options.topology.may_change = [](const Contact& film) { // the widest reaches the walls
-            return film.sides[1] != border_phase;
-        };
+        options.topology.may_change =
+            [](const Contact& film) { // the widest reaches the sides of the domain
+                return film.sides[1] != border_phase;
+            };
         test::ChangingSimulation<double> simulation(complex, options);
         bool has_merged = false;
         const auto after = [&](const std::vector<Event>& events) {

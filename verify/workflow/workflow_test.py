@@ -63,7 +63,7 @@ class Project(unittest.TestCase):
         with open(self.path("scenes/shear.toml"), encoding="utf-8") as stream:
             text = stream.read()
         with open(self.path("scenes/shear.toml"), "w", encoding="utf-8") as stream:
-            stream.write(text.replace("least = 15", "least = 59"))
+            stream.write(text.replace("min = 15", "min = 59"))
         done = self.gate()
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("failed: limits", done.stdout)

@@ -80,8 +80,8 @@ class Times(unittest.TestCase):
 
 
 class Procedure(unittest.TestCase):
-    def measure(self, runs, most_pairs, most_seconds=1e9):
-        return timing.measure(runs, most_pairs, most_seconds, lambda _: None, random.Random(1))
+    def measure(self, runs, max_pairs, max_seconds=1e9):
+        return timing.measure(runs, max_pairs, max_seconds, lambda _: None, random.Random(1))
 
     def test_pairs_end_where_all_is_decided_or_time_is_over(self):
         source = random.Random(1)

@@ -116,7 +116,7 @@ Executor<Real>::~Executor() = default;
 
 template <class Real>
 void Executor<Real>::set_options(const Options<Real>& options) {
-    const bool relists = options.carried_phases != options_.carried_phases;
+    const bool relists = options.advected_phases != options_.advected_phases;
     options_ = options;
     is_kept_up_ = false;
     if (relists) {

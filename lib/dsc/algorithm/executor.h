@@ -72,7 +72,7 @@ public:
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
 
     // Between two steps.
-    /// Replaces all options by ones that have been checked. O(mesh) if other phases are carried.
+    /// Replaces all options by ones that have been checked. O(mesh) if other phases are advected.
     void set_options(const Options<Real>& options);
     /// Appends a pass to the remeshing: what a stage has to see before anything moves.
     void add_remeshing(const Pass<Real>& pass);

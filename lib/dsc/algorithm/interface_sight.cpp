@@ -19,7 +19,7 @@ constexpr bool is_left(Phase one, Phase other) {
 
 /// What a view says of a vertex because its record does.
 constexpr std::uint8_t own_flags(std::uint32_t record) {
-    const unsigned corner = (record & vertex_corner) != 0 ? unsigned{interface_corner} : 0U;
+    const unsigned corner = (record & vertex_feature) != 0 ? unsigned{interface_feature} : 0U;
     const unsigned locked = (record & vertex_locked) != 0 ? unsigned{interface_locked} : 0U;
     return static_cast<std::uint8_t>(corner | locked);
 }
@@ -49,16 +49,18 @@ void InterfaceGraph<Real>::number(Complex<Real>& complex, std::span<const std::u
 template <class Real>
 void InterfaceGraph<Real>::connect(const Complex<Real>& complex, std::size_t range,
                                    std::size_t begin, std::size_t end,
-                                   std::span<const KeptStar> stars) {
+                                   std::span<const CachedStar> stars) {
     Junctions& found = found_[range];
     found.indices.clear();
     found.begin.clear();
     found.arms.clear();
-    const auto number_of = [&](const KeptStar& star) { return complex.vertices[star.vertex].slot; };
+    const auto number_of = [&](const CachedStar& star) {
+        return complex.vertices[star.vertex].slot;
+    };
     auto star = std::ranges::lower_bound(stars, begin, {}, number_of);
     for (std::size_t i = begin; i < end; ++i) {
         const bool has_star = star != stars.end() && star->vertex == vertices_[i].id;
-        if (!has_star || !connect_kept(complex, i, *star)) {
+        if (!has_star || !connect_cached(complex, i, *star)) {
             connect_one(complex, i, found);
         }
         star += has_star ? 1 : 0;
@@ -73,8 +75,8 @@ bool InterfaceGraph<Real>::has_number(const Complex<Real>& complex, std::uint32_
 
 // A vertex of a curve, whose star need not be walked round. False if it is none.
 template <class Real>
-bool InterfaceGraph<Real>::connect_kept(const Complex<Real>& complex, std::size_t i,
-                                        const KeptStar& star) {
+bool InterfaceGraph<Real>::connect_cached(const Complex<Real>& complex, std::size_t i,
+                                          const CachedStar& star) {
     const std::uint32_t first = star.link[star.incident.first];
     const std::uint32_t second = star.link[star.incident.second];
     if (star.incident.count != 2 || !star.is_unchanged(complex) || !has_number(complex, first) ||

@@ -32,7 +32,7 @@ public:
     /// interface, and it is listed from the next sub-step on. `stars` are those that remeshing has
     /// kept of vertices in the list, in its order. O(stars).
     void connect(const Complex<Real>& complex, std::size_t range, std::size_t begin,
-                 std::size_t end, std::span<const KeptStar> stars);
+                 std::size_t end, std::span<const CachedStar> stars);
     /// Puts the junctions of all ranges together. O(junctions).
     void join();
 
@@ -49,7 +49,7 @@ private:
         std::vector<InterfaceArm> arms;
     };
     [[nodiscard]] bool has_number(const Complex<Real>& complex, std::uint32_t v) const;
-    bool connect_kept(const Complex<Real>& complex, std::size_t i, const KeptStar& star);
+    bool connect_cached(const Complex<Real>& complex, std::size_t i, const CachedStar& star);
     void connect_one(const Complex<Real>& complex, std::size_t i, Junctions& found);
 
     std::vector<Vertex> vertices_;

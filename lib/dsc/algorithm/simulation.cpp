@@ -53,9 +53,9 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
         executor_ =
             std::make_unique<Executor<Real>>(complex, completed(), default_algorithm<Real>());
     }
-    mark_corners(complex, interface(), options.interface.corner_degrees,
-                 static_cast<Real>(feature_arc) *
-                     finest_on_interface(options.sizes, options.edge_length));
+    mark_features(complex, interface(), options.interface.feature_degrees,
+                  static_cast<Real>(feature_arc) *
+                      finest_on_interface(options.sizes, options.edge_length));
     measure(0);
 }
 
@@ -202,10 +202,10 @@ void Simulation<Real>::absorb(By by, Real time) {
     // A new interface edge of the application may make a sharp turn, which is a corner from now on;
     // the sharp turn at the end of a seam is not.
     if (by == By::application) {
-        mark_corners(complex_, on_interface(complex_, interface_changes(after)),
-                     options_.interface.corner_degrees,
-                     static_cast<Real>(feature_arc) *
-                         finest_on_interface(options_.sizes, options_.edge_length));
+        mark_features(complex_, on_interface(complex_, interface_changes(after)),
+                      options_.interface.feature_degrees,
+                      static_cast<Real>(feature_arc) *
+                          finest_on_interface(options_.sizes, options_.edge_length));
     }
     // Between other phases a vertex goes on in another way: its last step no longer counts.
     if (options_.custom_integrator) {
@@ -271,7 +271,7 @@ void Simulation<Real>::forget_past(std::span<const std::uint32_t> vertices) {
 
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::interface() const {
-    return options_.carried_phases.empty() ? moved() : on_interface(complex_, moved());
+    return options_.advected_phases.empty() ? moved() : on_interface(complex_, moved());
 }
 
 // The vertices that the flow moves.
@@ -298,11 +298,11 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .value = "0",
                           .allowed = "a step of more than 0: displacements are divided by it"});
     }
-    if (!options_.carried_phases.empty() && flow.velocity() == nullptr) {
+    if (!options_.advected_phases.empty() && flow.velocity() == nullptr) {
         throw InputError({.what = "a flow that is not known inside a phase",
                           .where = "Simulation::step",
-                          .value = "carried_phases, and a flow that sees the interface",
-                          .allowed = "a velocity of positions where phases are carried"});
+                          .value = "advected_phases, and a flow that sees the interface",
+                          .allowed = "a velocity of positions where phases are advected"});
     }
     StepReport report;
     absorb(By::application, time);
@@ -336,7 +336,7 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
     report.operations = executor_->take_counts();
     report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
-    if (options_.carried_phases.empty()) {
+    if (options_.advected_phases.empty()) {
         report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
     } else { // as `interface_size`, in room that is kept
         to_sweep_.clear();
@@ -357,7 +357,7 @@ Real Simulation<Real>::pieces_of_speed(Real remaining, Real fastest) const {
 // ...and as the tolerance allows.
 template <class Real>
 Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
-    return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / most_dt_));
+    return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / max_dt_));
 }
 
 std::string sentence(const StepReport& report) {
@@ -444,8 +444,8 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
 // derivatives; they are reported.
 template <class Real>
 Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach) {
-    constexpr int most_halvings = 6;
-    constexpr int most_trials = 12;
+    constexpr int max_halvings = 6;
+    constexpr int max_trials = 12;
     constexpr Real tolerated = 2;
     const Real farthest = tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
     const Real tolerance = static_cast<Real>(options_.tolerance) * options_.edge_length;
@@ -454,15 +454,15 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
         return std::clamp(Real(0.9) * std::sqrt(std::sqrt(tolerance / reach.error)), Real(0.1),
                           most);
     };
-    for (int trial = 0; trial < most_trials && reach.error > tolerance; ++trial) {
+    for (int trial = 0; trial < max_trials && reach.error > tolerance; ++trial) {
         dt *= factor(Real(0.9));
         reach = executor_->recompute_targets(flow, time, dt);
     }
-    for (int halving = 0; reach.farthest > farthest && halving < most_halvings; ++halving) {
+    for (int halving = 0; reach.farthest > farthest && halving < max_halvings; ++halving) {
         dt *= Real(0.5);
         reach = executor_->recompute_targets(flow, time, dt);
     }
-    most_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
+    max_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
     return dt;
 }
 
@@ -489,7 +489,7 @@ bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
 
 template <class Real>
 void Simulation<Real>::forget() {
-    most_dt_ = std::numeric_limits<Real>::infinity();
+    max_dt_ = std::numeric_limits<Real>::infinity();
     if (options_.custom_integrator) {
         forget_past(moved());
     }
@@ -502,7 +502,7 @@ void Simulation<Real>::archive(Archive& archive) {
 
 template <class Real>
 void Simulation<Real>::transfer(Archive& archive) {
-    archive(complex_, fastest_, most_dt_, swept_);
+    archive(complex_, fastest_, max_dt_, swept_);
     std::uint64_t absorbed = absorbed_;
     archive(absorbed);
     archive.expect(absorbed <= complex_.journal.records.size(),

@@ -158,7 +158,7 @@ public:
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range or a stage
     /// refuses them, and then keeps the old ones. All vertices are visited if edges may grow or
-    /// could, and if other phases are carried; none otherwise.
+    /// could, and if other phases are advected; none otherwise.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
@@ -226,9 +226,9 @@ public:
 
     /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
-    /// Their number. O(submeshes); as much as `interface` where phases are carried.
+    /// Their number. O(submeshes); as much as `interface` where phases are advected.
     [[nodiscard]] std::size_t interface_size() const {
-        return options_.carried_phases.empty() ? executor_->interface_size() : interface().size();
+        return options_.advected_phases.empty() ? executor_->interface_size() : interface().size();
     }
 
 private:
@@ -268,7 +268,7 @@ private:
     LogReader reading_;                    ///< of the journal, from the beginning to the end
     std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
-    Real most_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
+    Real max_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
     std::uint32_t short_ = 0; ///< sub-steps of this step that the tolerance made very short
 };
 

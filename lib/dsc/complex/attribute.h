@@ -56,8 +56,8 @@ inline constexpr SimplexKind kind_of = HandleKind<Simplex>::value;
 
 /// What happens to a field's value at a vertex that moves with the interface.
 enum class OnInterface : std::uint8_t {
-    sampled, ///< the vertex takes the value of its new place, as everywhere
-    carried, ///< the vertex keeps its value: known on the interface and behind it only
+    sampled,  ///< the vertex takes the value of its new place, as everywhere
+    advected, ///< the vertex keeps its value: known on the interface and behind it only
 };
 
 /// The base class of attributes: a complex and its operations report every edit to it. Entries are

@@ -130,11 +130,11 @@ public:
         tell(SimplexKind::vertex, [&](AttributeBase& each) { each.blend(to, a, b, fraction); });
     }
     /// Vertex v moves by this fraction of the way to `b`: its fields are blended. If it moves with
-    /// the interface, fields that are carried there keep their values.
+    /// the interface, fields that are advected there keep their values.
     void move_fields(std::uint32_t v, std::uint32_t b, double fraction, bool with_interface) {
         tell(SimplexKind::vertex, [&](AttributeBase& each) {
             if (each.is_field() &&
-                !(with_interface && each.on_interface() == OnInterface::carried)) {
+                !(with_interface && each.on_interface() == OnInterface::advected)) {
                 each.blend(v, v, b, fraction);
             }
         });

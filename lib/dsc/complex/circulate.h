@@ -126,7 +126,7 @@ template <class Real, class IsEdge>
 
 /// What one turn about a vertex tells: whether the domain ends there, whether the submesh owns the
 /// whole star, and how many interface edges meet there.
-struct Fan {
+struct StarSummary {
     bool on_boundary = false;          ///< the domain ends at the vertex
     bool owned = true;                 ///< every triangle of the star is in the submesh
     std::uint32_t interface_edges = 0; ///< that meet at the vertex
@@ -137,25 +137,26 @@ struct Fan {
 /// Calls `visit(corner at the vertex)` for each star triangle, counter-clockwise; on the domain
 /// boundary from the clockwise end. Fills in `on_boundary`, `first` and `last`. O(degree).
 template <class Real, class Visit>
-Fan turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
-    Fan fan;
+StarSummary turn(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
+    StarSummary summary;
     const Corner start = complex.vertices[vertex].corner;
     if (start == no_id) {
-        return fan;
+        return summary;
     }
     const Corner first = first_corner(complex, start);
-    fan.on_boundary = is_border(complex.twin(prev(first)));
+    summary.on_boundary = is_border(complex.twin(prev(first)));
     const Corner last = circulate(complex, first, visit);
-    if (fan.on_boundary) {
-        fan.first = complex.vertex(next(first));
-        fan.last = complex.vertex(prev(last));
+    if (summary.on_boundary) {
+        summary.first = complex.vertex(next(first));
+        summary.last = complex.vertex(prev(last));
     }
-    return fan;
+    return summary;
 }
 
 /// Calls `visit(vertex at the other end)` for each interface edge at the vertex. O(degree).
 template <class Real, class Visit>
-Fan for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex, Visit visit) {
+StarSummary for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex,
+                                    Visit visit) {
     return turn(complex, vertex, [&](Corner c) {
         // Each incident edge once: the clockwise one of each triangle, and the last one of an open
         // fan.
@@ -170,19 +171,20 @@ Fan for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex, 
     });
 }
 
-/// The whole Fan. The region must own the vertex: another submesh may be rewriting a foreign star
-/// at this moment. O(degree).
+/// The whole summary. The region must own the vertex: another submesh may be rewriting a foreign
+/// star at this moment. O(degree).
 template <class Real>
-Fan inspect(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
+StarSummary inspect(const Complex<Real>& complex, const Region& region, std::uint32_t vertex) {
     std::uint32_t interface_edges = 0;
-    Fan fan = for_each_interface_edge(complex, vertex, [&](std::uint32_t) { ++interface_edges; });
-    fan.interface_edges = interface_edges;
+    StarSummary summary =
+        for_each_interface_edge(complex, vertex, [&](std::uint32_t) { ++interface_edges; });
+    summary.interface_edges = interface_edges;
     if (!region.is_whole()) {
         turn(complex, vertex, [&](Corner c) {
-            fan.owned = fan.owned && owns_triangle(complex, region, triangle_of(c));
+            summary.owned = summary.owned && owns_triangle(complex, region, triangle_of(c));
         });
     }
-    return fan;
+    return summary;
 }
 
 } // namespace dsc

@@ -27,8 +27,8 @@ enum VertexFlag : std::uint32_t {
     /// vertex with both bits set is in contact: until it arrives, each step tries it only once.
     vertex_missed = 4U,
     vertex_contact = 12U,
-    vertex_corner = 16U, ///< of the interface: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U, ///< it was moved or postponed, and has not arrived yet
+    vertex_feature = 16U, ///< of the interface: it is kept, and the curve has no tangent there
+    vertex_on_way = 32U,  ///< it was moved or postponed, and has not arrived yet
 };
 
 /// A triangle, by id.
@@ -193,12 +193,12 @@ public:
     /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
     void set_locked(Vertex v, bool locked) { set_flag(v, vertex_locked, locked); }
     /// Whether it is a corner of the interface: it is kept, and the curve has no tangent there.
-    [[nodiscard]] bool is_corner(Vertex v) const {
-        return (vertices[v.id].flags & vertex_corner) != 0;
+    [[nodiscard]] bool is_feature(Vertex v) const {
+        return (vertices[v.id].flags & vertex_feature) != 0;
     }
     /// Makes a vertex of the interface a corner, or an ordinary point of its curve. The next step
     /// takes account of it; O(1).
-    void set_corner(Vertex v, bool corner) { set_flag(v, vertex_corner, corner); }
+    void set_corner(Vertex v, bool corner) { set_flag(v, vertex_feature, corner); }
 
     // --- ids ----------------------------------------------------------------------------------
     /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns

@@ -16,7 +16,7 @@ namespace dsc {
 
 /// The star of a vertex, with room for a degree of `capacity`.
 template <class Real>
-struct Ring {
+struct Star {
     static constexpr std::uint32_t lanes = 8;     ///< padding; a multiple of every vector width
     static constexpr std::uint32_t capacity = 56; ///< the largest degree that fits
     static constexpr std::uint32_t room = capacity + 2 * lanes; ///< of each array: with the padding
@@ -31,8 +31,8 @@ struct Ring {
     Real y0 = 0;
 
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
-    // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the ring, or
-    // is the last vertex of an open one. Incident edge 0 of an open ring has no predecessor: its
+    // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the star, or
+    // is the last vertex of an open one. Incident edge 0 of an open star has no predecessor: its
     // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored rather than shuffled:
     // a vector load that spans two recent stores has to wait for both.
     alignas(64) std::array<Real, room> x;          ///< link vertex i
@@ -73,7 +73,7 @@ struct Ring {
     }
 };
 
-/// The incident interface edges of a ring; more than two make a junction.
+/// The incident interface edges of a star; more than two make a junction.
 struct IncidentEdges {
     std::uint32_t count = 0;  ///< how many there are
     std::uint32_t first = 0;  ///< counter-clockwise from incident edge 0; if count > 0
@@ -87,22 +87,22 @@ struct IncidentEdges {
 
 /// The incident edges whose two sides differ in phase. O(degree).
 template <class Real>
-IncidentEdges interface_edges_of(const Ring<Real>& ring) {
+IncidentEdges interface_edges_of(const Star<Real>& star) {
     IncidentEdges incident;
-    if (ring.closed) {
-        const std::uint64_t rest = ring.changes & (ring.changes - 1);
+    if (star.closed) {
+        const std::uint64_t rest = star.changes & (star.changes - 1);
         if (rest == 0) {
             return incident; // round a closed star the phase changes twice, or not at all
         }
         if ((rest & (rest - 1)) == 0) {
-            return {2, static_cast<std::uint32_t>(std::countr_zero(ring.changes)),
+            return {2, static_cast<std::uint32_t>(std::countr_zero(star.changes)),
                     static_cast<std::uint32_t>(std::countr_zero(rest))};
         }
     }
-    const std::uint32_t n = ring.link_size();
-    Phase before = ring.phase_before(0);
+    const std::uint32_t n = star.link_size();
+    Phase before = star.phase_before(0);
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Phase after = ring.phase_after(i);
+        const Phase after = star.phase_after(i);
         if (before != after && is_interface_pair(before, after)) {
             (incident.count == 0 ? incident.first : incident.second) = i;
             ++incident.count;
@@ -114,8 +114,8 @@ IncidentEdges interface_edges_of(const Ring<Real>& ring) {
 
 /// Where link vertex i is; also the last one of an open star.
 template <class Real>
-Point<Real> link_point(const Ring<Real>& ring, std::uint32_t i) {
-    return {ring.link_x(i), ring.link_y(i)};
+Point<Real> link_point(const Star<Real>& star, std::uint32_t i) {
+    return {star.link_x(i), star.link_y(i)};
 }
 
 namespace detail {
@@ -132,7 +132,7 @@ enum class Owned : std::uint8_t {
 };
 
 /// The smallest axis-aligned box around the star. Updated in registers while the link is walked:
-/// reading the rows of the ring would have to wait for the stores that fill them.
+/// reading the rows of the star would have to wait for the stores that fill them.
 template <class Real>
 struct Bounds {
     Real x_low; ///< of the centre at first
@@ -154,13 +154,13 @@ struct Bounds {
     }
 };
 
-/// Writes a star into a ring, triangle by triangle, counter-clockwise.
+/// Writes a star into a star, triangle by triangle, counter-clockwise.
 template <Owned how, class Real>
 class StarWriter {
 public:
-    StarWriter(const Complex<Real>& complex, const Region& region, Ring<Real>& ring)
-        : triangles_(complex.triangles.data()), vertices_(complex.vertices.data()), ring_(ring),
-          region_(region), bounds_{ring.x0, ring.x0, ring.y0, ring.y0} {}
+    StarWriter(const Complex<Real>& complex, const Region& region, Star<Real>& star)
+        : triangles_(complex.triangles.data()), vertices_(complex.vertices.data()), star_(star),
+          region_(region), bounds_{star.x0, star.x0, star.y0, star.y0} {}
 
     static Real read(const Real& value) {
         if constexpr (how == Owned::surely) {
@@ -176,8 +176,8 @@ public:
         const TriangleRecord& triangle = triangles_[triangle_of(entrance)];
         const std::uint32_t exit =
             preceding_index[index_of(entrance)]; // the corner after the centre's
-        ring_.corner[i] = next(entrance);
-        ring_.phase[i] = triangle.phase;
+        star_.corner[i] = next(entrance);
+        star_.phase[i] = triangle.phase;
         if (i == 0) {
             phase_ = triangle.phase;
         }
@@ -197,21 +197,21 @@ public:
         } else if constexpr (how == Owned::upright) {
             bounds_.add(x, y);
         }
-        ring_.link[i] = id;
-        ring_.x[i] = x;
-        ring_.y[i] = y;
-        ring_.x_previous[i + 1] = x;
-        ring_.y_previous[i + 1] = y;
+        star_.link[i] = id;
+        star_.x[i] = x;
+        star_.y[i] = y;
+        star_.x_previous[i + 1] = x;
+        star_.y_previous[i + 1] = y;
         if (i > 0) {
-            ring_.x_next[i - 1] = x;
-            ring_.y_next[i - 1] = y;
+            star_.x_next[i - 1] = x;
+            star_.y_next[i - 1] = y;
         }
     }
 
-    /// Ends a star of n triangles: closes the ring, and repeats triangle 0 behind it. Inlined, so
+    /// Ends a star of n triangles: closes the star, and repeats triangle 0 behind it. Inlined, so
     /// that the walk keeps the writer in registers.
     [[gnu::always_inline]] void finish(std::size_t n, bool closed) {
-        Ring<Real>& r = ring_;
+        Star<Real>& r = star_;
         r.size = static_cast<std::uint32_t>(n);
         r.closed = closed;
         r.one_phase = changes_ == 0;
@@ -244,16 +244,16 @@ private:
     /// `prev_index`, looked up: a load of one byte in place of a comparison and a selection.
     static constexpr std::array<std::uint8_t, 4> preceding_index{2, 0, 1, 0};
 
-    static void fill(std::array<Real, Ring<Real>::room>& row, std::size_t from, Real value) {
+    static void fill(std::array<Real, Star<Real>::room>& row, std::size_t from, Real value) {
         Real* out = row.data() + from;
-        for (std::size_t i = 0; i < Ring<Real>::lanes; ++i) {
+        for (std::size_t i = 0; i < Star<Real>::lanes; ++i) {
             out[i] = value;
         }
     }
 
     const TriangleRecord* triangles_;
     const VertexRecord<Real>* vertices_;
-    Ring<Real>& ring_;
+    Star<Real>& star_;
     const Region& region_;
     Bounds<Real> bounds_; // unused unless the region is an upright box
     bool owns_ = true;
@@ -265,13 +265,13 @@ private:
 /// it does not fit.
 template <Owned how, class Real>
 [[gnu::noinline]] bool gather_open_star(const Complex<Real>& complex, const Region& region,
-                                        Corner start, Ring<Real>& ring) {
-    StarWriter<how, Real> writer(complex, region, ring);
+                                        Corner start, Star<Real>& star) {
+    StarWriter<how, Real> writer(complex, region, star);
     Corner entrance = prev(first_corner(complex, start));
-    for (std::size_t i = 0; i < Ring<Real>::capacity; ++i) {
+    for (std::size_t i = 0; i < Star<Real>::capacity; ++i) {
         const Corner across = writer.write(i, entrance);
         if (is_border(across)) {
-            const Corner c = ring.corner[i];
+            const Corner c = star.corner[i];
             writer.write_vertex(i + 1, complex.vertex(prev(c)));
             writer.finish(i + 1, false);
             return true;
@@ -283,21 +283,21 @@ template <Owned how, class Real>
 
 template <Owned how, class Real>
 bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
-                 Ring<Real>& ring) {
+                 Star<Real>& star) {
     using Writer = StarWriter<how, Real>;
     const auto& centre = complex.vertices[vertex];
-    ring.vertex = vertex;
-    ring.owned = true;
-    ring.x0 = Writer::read(centre.x);
-    ring.y0 = Writer::read(centre.y);
+    star.vertex = vertex;
+    star.owned = true;
+    star.x0 = Writer::read(centre.x);
+    star.y0 = Writer::read(centre.y);
     if constexpr (how != Owned::surely) {
-        const double x0 = static_cast<double>(ring.x0);
-        const double y0 = static_cast<double>(ring.y0);
+        const double x0 = static_cast<double>(star.x0);
+        const double y0 = static_cast<double>(star.y0);
         const bool is_owned =
             how == Owned::upright ? region.is_inside(x0, y0) : region.owns(vertex, x0, y0);
         if (!is_owned) {
             // Another submesh may be rewriting this star: it must not be walked.
-            ring.owned = false;
+            star.owned = false;
             return false;
         }
     }
@@ -307,15 +307,15 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
     }
     // Not `circulate`: nearly all stars are closed, so the walk begins anywhere, reads the record
     // of each triangle once, and begins again only if the domain ends on the way.
-    Writer writer(complex, region, ring);
+    Writer writer(complex, region, star);
     const Corner first = prev(start);
     Corner entrance = writer.write(0, first);
     std::size_t n = 1;
     while (entrance != first) {
         if (is_border(entrance)) {
-            return gather_open_star<how>(complex, region, start, ring);
+            return gather_open_star<how>(complex, region, start, star);
         }
-        if (n >= Ring<Real>::capacity) {
+        if (n >= Star<Real>::capacity) {
             return false;
         }
         entrance = writer.write(n, entrance);
@@ -332,14 +332,14 @@ bool gather_star(const Complex<Real>& complex, const Region& region, std::uint32
 /// `owned` is false and nothing was read). O(degree).
 template <class Real>
 bool gather(const Complex<Real>& complex, const Region& region, std::uint32_t vertex,
-            Ring<Real>& ring) {
+            Star<Real>& star) {
     using detail::Owned;
     if (region.is_whole()) {
-        return detail::gather_star<Owned::surely>(complex, region, vertex, ring);
+        return detail::gather_star<Owned::surely>(complex, region, vertex, star);
     }
     return region.kind == Region::Kind::upright
-               ? detail::gather_star<Owned::upright>(complex, region, vertex, ring)
-               : detail::gather_star<Owned::tested>(complex, region, vertex, ring);
+               ? detail::gather_star<Owned::upright>(complex, region, vertex, star)
+               : detail::gather_star<Owned::tested>(complex, region, vertex, star);
 }
 
 } // namespace dsc

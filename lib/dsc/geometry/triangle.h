@@ -30,20 +30,20 @@ template <class Real>
 /// to 16 h do not overflow while h^6 is at most 1e-8 times the largest. A scene of another size is
 /// run in the coordinates of a `Frame`.
 template <class Real>
-inline constexpr double least_edge_length = 1e-50;
-/// `least_edge_length` for float.
+inline constexpr double min_edge_length = 1e-50;
+/// `min_edge_length` for float.
 template <>
-inline constexpr double least_edge_length<float> = 1e-5;
+inline constexpr double min_edge_length<float> = 1e-5;
 /// The largest target edge length of a simulation; the reasons are those above.
 template <class Real>
-inline constexpr double most_edge_length = 1e50;
-/// `most_edge_length` for float.
+inline constexpr double max_edge_length = 1e50;
+/// `max_edge_length` for float.
 template <>
-inline constexpr double most_edge_length<float> = 1e5;
+inline constexpr double max_edge_length<float> = 1e5;
 
 /// The squared sine of the smallest angle, with the sign of the area: one quotient of products
 /// of six lengths, made for loops over all lanes of a star; lengths must lie between
-/// `least_edge_length` and `most_edge_length`. The quality squared is 4/3 of it. (ax, ay) and (bx,
+/// `min_edge_length` and `max_edge_length`. The quality squared is 4/3 of it. (ax, ay) and (bx,
 /// by) lead from one corner to the two others.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real sine_squared_of_lanes(Real ax, Real ay, Real bx,

@@ -13,13 +13,13 @@ namespace dsc {
 namespace {
 
 void check(const LabelImage& image) {
-    constexpr std::size_t most_pixels = 400'000'000;
+    constexpr std::size_t max_pixels = 400'000'000;
     const auto shape = std::to_string(image.rows) + " rows of " + std::to_string(image.columns);
-    if (image.rows == 0 || image.columns == 0 || image.rows > most_pixels / image.columns) {
+    if (image.rows == 0 || image.columns == 0 || image.rows > max_pixels / image.columns) {
         throw InputError({.what = "an image of no pixels, or too many",
                           .where = "labels",
                           .value = shape,
-                          .allowed = "1 to " + std::to_string(most_pixels) + " pixels"});
+                          .allowed = "1 to " + std::to_string(max_pixels) + " pixels"});
     }
     if (image.labels.size() != image.rows * image.columns) {
         throw InputError({.what = "labels that do not fill the image",

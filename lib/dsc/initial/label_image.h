@@ -16,7 +16,7 @@ struct LabelImage {
     std::size_t columns = 0;
     std::vector<Phase> labels; ///< row by row from the top
     /// Grains of fewer pixels go to the neighbour with which they share the longest border.
-    std::size_t least_pixels = 0;
+    std::size_t min_pixels = 0;
 };
 
 /// Triangulates `domain`, over which the image is spread, with the boundaries between pixels of

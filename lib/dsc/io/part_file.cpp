@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t block_size = std::size_t{1} << 16U;
-constexpr int most_links = 40;              ///< the kernel's own limit
-constexpr int most_parts = 10000;           ///< of one file at a time
+constexpr int max_links = 40;               ///< the kernel's own limit
+constexpr int max_parts = 10000;            ///< of one file at a time
 constexpr std::size_t longest_prefix = 100; ///< bytes: no file system allows fewer than 143
 
 // Links in this folder are open files of this process: to open them begins at their start, or
@@ -45,7 +45,7 @@ Destination destination_of(const std::string& path) {
         throw FileError("cannot be written", path.empty() ? "''" : place.string(),
                         error ? error.value() : EINVAL);
     }
-    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
+    for (int i = 0; i < max_links && fs::is_symlink(fs::symlink_status(place, error)); ++i) {
         if (is_descriptor(place)) {
             return {place.string(), true, std::stoi(place.filename())};
         }
@@ -79,7 +79,7 @@ void PartFile::make_part() {
     const std::string name = place.filename();
     const fs::path prefix = folder_of(place) / (name.size() > longest_prefix ? "dsc" : name);
     const std::string process = "." + std::to_string(::getpid()) + "-";
-    for (int i = 0; i < most_parts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
+    for (int i = 0; i < max_parts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
         part_ = prefix.string() + process + std::to_string(i) + ".part";
         descriptor_ = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }

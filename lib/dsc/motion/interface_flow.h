@@ -32,7 +32,7 @@ enum InterfaceFlag : std::uint8_t {
     /// Where a pass of the application has just put an edge on the interface, the vertices beside
     /// it count as junctions for one sub-step.
     interface_junction = 1U,
-    interface_corner = 2U,   ///< is kept; its normal and curvature are not those of a smooth curve
+    interface_feature = 2U,  ///< is kept; its normal and curvature are not those of a smooth curve
     interface_boundary = 4U, ///< lies on the domain boundary, along which alone it can slide
     interface_locked = 8U,   ///< stays, whatever its velocity
 };
@@ -82,7 +82,9 @@ struct InterfaceView {
         return (flags[i] & interface_junction) != 0;
     }
     /// Whether i is a corner that is kept.
-    [[nodiscard]] bool is_corner(std::size_t i) const { return (flags[i] & interface_corner) != 0; }
+    [[nodiscard]] bool is_feature(std::size_t i) const {
+        return (flags[i] & interface_feature) != 0;
+    }
     /// Whether i can only slide along the domain boundary.
     [[nodiscard]] bool is_on_boundary(std::size_t i) const {
         return (flags[i] & interface_boundary) != 0;

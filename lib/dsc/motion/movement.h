@@ -21,20 +21,20 @@ inline constexpr double altitude_keep = 0.5;
 /// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has; 0 where the way
 /// there is not finite. O(degree).
 template <class Real>
-Real move_limit(const Ring<Real>& ring, Real x, Real y) {
-    const Real dx = x - ring.x0;
-    const Real dy = y - ring.y0;
+Real move_limit(const Star<Real>& star, Real x, Real y) {
+    const Real dx = x - star.x0;
+    const Real dy = y - star.y0;
     Real limit = 1;
-    const std::uint32_t n = ring.padded();
+    const std::uint32_t n = star.padded();
     constexpr auto floor = static_cast<Real>(altitude_floor);
     constexpr auto keep = static_cast<Real>(altitude_keep);
     constexpr Real tiny = std::numeric_limits<Real>::min();
 #pragma omp simd reduction(min : limit)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = ring.x[i] - ring.x0;
-        const Real ay = ring.y[i] - ring.y0;
-        const Real bx = ring.x_next[i] - ring.x0;
-        const Real by = ring.y_next[i] - ring.y0;
+        const Real ax = star.x[i] - star.x0;
+        const Real ay = star.y[i] - star.y0;
+        const Real bx = star.x_next[i] - star.x0;
+        const Real by = star.y_next[i] - star.y0;
         const Real cx = bx - ax;
         const Real cy = by - ay;
         const Real area = ax * by - ay * bx;
@@ -55,7 +55,7 @@ enum class MoveOutcome : std::uint8_t {
 };
 
 /// A move by less than this share of the way is not worth its rounding.
-inline constexpr double least_fraction = 1e-3;
+inline constexpr double min_fraction = 1e-3;
 
 /// What is left of a way is rounding up to this many units in the last place of the coordinates, or
 /// of an edge length where those are small: targets are sums of some terms and known no better.
@@ -70,25 +70,25 @@ bool is_at(const Point<Real>& position, const Point<Real>& target, Real edge_len
     return (target - position).cwiseAbs().maxCoeff() <= unit;
 }
 
-/// Moves the ring's vertex towards (x, y). The ring's own centre is updated. O(degree).
+/// Moves the star's vertex towards (x, y). The star's own centre is updated. O(degree).
 template <class Real>
-MoveOutcome move_vertex(const Submesh<Real>& submesh, Ring<Real>& ring, Real x, Real y,
+MoveOutcome move_vertex(const Submesh<Real>& submesh, Star<Real>& star, Real x, Real y,
                         MoveReason reason = MoveReason::flow) {
-    Real fraction = move_limit(ring, x, y);
+    Real fraction = move_limit(star, x, y);
     for (int attempt = 0; attempt < 4; ++attempt, fraction *= Real(0.5)) {
-        if (!(fraction >= static_cast<Real>(least_fraction))) {
+        if (!(fraction >= static_cast<Real>(min_fraction))) {
             break;
         }
         const bool whole = fraction >= 1;
-        const Real px = whole ? x : ring.x0 + fraction * (x - ring.x0);
-        const Real py = whole ? y : ring.y0 + fraction * (y - ring.y0);
-        if (px == ring.x0 && py == ring.y0 && !whole) {
+        const Real px = whole ? x : star.x0 + fraction * (x - star.x0);
+        const Real py = whole ? y : star.y0 + fraction * (y - star.y0);
+        if (px == star.x0 && py == star.y0 && !whole) {
             break; // rounding leaves no place in between: that is no progress
         }
-        if (all_positive(ring, px, py)) {
-            rewire::move(submesh.complex, *submesh.log, ring.vertex, px, py, reason);
-            ring.x0 = px;
-            ring.y0 = py;
+        if (all_positive(star, px, py)) {
+            rewire::move(submesh.complex, *submesh.log, star.vertex, px, py, reason);
+            star.x0 = px;
+            star.y0 = py;
             return whole ? MoveOutcome::reached : MoveOutcome::partly;
         }
     }

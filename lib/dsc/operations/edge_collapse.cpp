@@ -45,18 +45,18 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
          (is_border(other) || !owns_triangle(complex, region, triangle_of(other))))) {
         return Verdict::on_submesh_boundary;
     }
-    const Fan fan = inspect(complex, region, v);
+    const StarSummary summary = inspect(complex, region, v);
     const auto at = [&](std::uint32_t id) { return complex.position(Vertex{id}); };
 
-    if (fan.on_boundary &&
-        (!is_border(other) || orientation<Real>(at(fan.first), at(v), at(fan.last)) != 0)) {
+    if (summary.on_boundary &&
+        (!is_border(other) || orientation<Real>(at(summary.first), at(v), at(summary.last)) != 0)) {
         return Verdict::on_boundary;
     }
-    if (!fan.owned) {
+    if (!summary.owned) {
         return Verdict::on_submesh_boundary;
     }
-    if (fan.interface_edges > 0 &&
-        ((fan.interface_edges != 2 && junctions == JunctionRule::kept) ||
+    if (summary.interface_edges > 0 &&
+        ((summary.interface_edges != 2 && junctions == JunctionRule::kept) ||
          (!is_interface_pair(complex.phase_at(corner), complex.phase_at(other)) &&
           !(junctions == JunctionRule::may_merge && is_border(other))))) {
         return Verdict::on_interface;
@@ -83,18 +83,18 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
 }
 
 template <class Real>
-Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i) {
-    if (complex.is_locked(Vertex{ring.vertex})) {
+Verdict star_collapse_guard(const Complex<Real>& complex, const Star<Real>& star, std::uint32_t i) {
+    if (complex.is_locked(Vertex{star.vertex})) {
         return Verdict::locked;
     }
-    const std::uint32_t before = i == 0 ? ring.size - 1 : i - 1;
-    const auto px = static_cast<double>(ring.x[i]);
-    const auto py = static_cast<double>(ring.y[i]);
-    for (std::uint32_t j = 0; j < ring.size; ++j) {
+    const std::uint32_t before = i == 0 ? star.size - 1 : i - 1;
+    const auto px = static_cast<double>(star.x[i]);
+    const auto py = static_cast<double>(star.y[i]);
+    for (std::uint32_t j = 0; j < star.size; ++j) {
         if (j != i && j != before &&
-            orientation(px, py, static_cast<double>(ring.x[j]), static_cast<double>(ring.y[j]),
-                        static_cast<double>(ring.x_next[j]),
-                        static_cast<double>(ring.y_next[j])) <= 0) {
+            orientation(px, py, static_cast<double>(star.x[j]), static_cast<double>(star.y[j]),
+                        static_cast<double>(star.x_next[j]),
+                        static_cast<double>(star.y_next[j])) <= 0) {
             return Verdict::inverts;
         }
     }
@@ -102,7 +102,7 @@ Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Verdict star_collapse_guard(const Complex<Real>&, const Ring<Real>&, std::uint32_t);  \
+    template Verdict star_collapse_guard(const Complex<Real>&, const Star<Real>&, std::uint32_t);  \
     template Verdict edge_collapse_guard(const Complex<Real>&, const Region&, Corner,              \
                                          rewire::Vanishing, JunctionRule);
 DSC_INSTANTIATE(double)

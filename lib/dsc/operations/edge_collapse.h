@@ -51,7 +51,7 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vani
 /// the star is a simple polygon, and a fan of strictly positive triangles from one of its vertices
 /// is a triangulation of it, whose inner edges cannot exist already. O(degree). Exact.
 template <class Real>
-Verdict star_collapse_guard(const Complex<Real>& complex, const Ring<Real>& ring, std::uint32_t i);
+Verdict star_collapse_guard(const Complex<Real>& complex, const Star<Real>& star, std::uint32_t i);
 
 /// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes. For algorithms
 /// that know that their corners are alive.

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "dsc/base/types.h"
+#include "dsc/complex/cached_star.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
-#include "dsc/complex/kept_star.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/passes/options.h"
 
@@ -113,7 +113,7 @@ struct Work : Unmovable {
     std::vector<MovingVertex<Real>> moving_vertices; ///< they have yet to reach their targets
     /// Stars that the interface remeshing has left as they are, in the order of `interface`:
     /// movement need not walk round them again. Of no use once a pass of motion has been run.
-    std::vector<KeptStar> stars;
+    std::vector<CachedStar> stars;
     std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
     std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
     /// Squared quality at or below which the mesh update lists a star in `poor`; -1: in no case.
@@ -145,8 +145,8 @@ struct Work : Unmovable {
     std::size_t arrived = 0; ///< how many of these reached them
 
     // Scratch, kept so that nothing is allocated from step to step.
-    Ring<Real> ring;                           ///< the star under examination
-    Ring<Real> other_ring;                     ///< and a second one
+    Star<Real> star;                           ///< the star under examination
+    Star<Real> other_star;                     ///< and a second one
     std::vector<Corner> candidates;            ///< edges to be tested for the Delaunay condition
     std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
     std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
@@ -181,7 +181,7 @@ void archive(Archive& archive, Work<Real>& work) {
 /// complex.
 template <class Real>
 using StarWatch =
-    std::function<void(Work<Real>& work, const Ring<Real>& ring, const IncidentEdges& incident)>;
+    std::function<void(Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident)>;
 
 /// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
 /// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must

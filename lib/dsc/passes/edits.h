@@ -13,21 +13,21 @@ namespace dsc {
 
 /// Puts the link of the centre into the active set, counter-clockwise. O(degree).
 template <class Real>
-void activate_link(Work<Real>& work, const Ring<Real>& ring) {
-    const std::uint32_t n = ring.link_size();
+void activate_link(Work<Real>& work, const Star<Real>& star) {
+    const std::uint32_t n = star.link_size();
     for (std::uint32_t i = 0; i < n; ++i) {
-        work.activate(ring.link[i]);
+        work.activate(star.link[i]);
     }
 }
 
-/// Collapses the edge opposite to `corner` and activates the link; the centre of the ring is the
+/// Collapses the edge opposite to `corner` and activates the link; the centre of the star is the
 /// vanishing end.
 template <class Real>
-Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
+Verdict collapse_centre(Work<Real>& work, const Star<Real>& star, Corner corner,
                         rewire::Vanishing end) {
     const Verdict verdict = edge_collapse(work.submesh, corner, end);
     if (verdict == Verdict::legal) {
-        activate_link(work, ring);
+        activate_link(work, star);
     }
     return verdict;
 }
@@ -35,12 +35,12 @@ Verdict collapse_centre(Work<Real>& work, const Ring<Real>& ring, Corner corner,
 /// The same into link vertex i, for a centre inside one phase whose whole star is owned: only
 /// inversion can prevent it (`star_collapse_guard`).
 template <class Real>
-Verdict collapse_star(Work<Real>& work, const Ring<Real>& ring, std::uint32_t i) {
-    const Verdict verdict = star_collapse_guard(work.complex, ring, i);
+Verdict collapse_star(Work<Real>& work, const Star<Real>& star, std::uint32_t i) {
+    const Verdict verdict = star_collapse_guard(work.complex, star, i);
     if (verdict == Verdict::legal) {
-        rewire::collapse(work.complex, work.log, prev(ring.corner[i]), rewire::Vanishing::next,
+        rewire::collapse(work.complex, work.log, prev(star.corner[i]), rewire::Vanishing::next,
                          *work.submesh.pool);
-        activate_link(work, ring);
+        activate_link(work, star);
     }
     return verdict;
 }

@@ -14,23 +14,23 @@ namespace {
 // A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
 // corner (thesis, section 6.4).
 template <class Real>
-void stay_on_boundary(const Ring<Real>& ring, Real& x, Real& y) {
-    const Real ax = ring.link_x(0);
-    const Real ay = ring.link_y(0);
-    const Real bx = ring.link_x(ring.size);
-    const Real by = ring.link_y(ring.size);
-    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(ring.x0),
-                    static_cast<double>(ring.y0), static_cast<double>(bx),
+void stay_on_boundary(const Star<Real>& star, Real& x, Real& y) {
+    const Real ax = star.link_x(0);
+    const Real ay = star.link_y(0);
+    const Real bx = star.link_x(star.size);
+    const Real by = star.link_y(star.size);
+    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(star.x0),
+                    static_cast<double>(star.y0), static_cast<double>(bx),
                     static_cast<double>(by)) != 0) {
-        x = ring.x0;
-        y = ring.y0;
+        x = star.x0;
+        y = star.y0;
         return;
     }
     const Real tx = bx - ax;
     const Real ty = by - ay;
-    const Real along = ((x - ring.x0) * tx + (y - ring.y0) * ty) / (tx * tx + ty * ty);
-    x = ring.x0 + along * tx;
-    y = ring.y0 + along * ty;
+    const Real along = ((x - star.x0) * tx + (y - star.y0) * ty) / (tx * tx + ty * ty);
+    x = star.x0 + along * tx;
+    y = star.y0 + along * ty;
 }
 
 // Leaves a vertex that the submesh owns to another colour, and notes in its record which entry of
@@ -56,15 +56,15 @@ bool is_deferred(const Work<Real>& work, std::uint32_t vertex) {
 // Whether a neighbour on the way to (x, y) has been left to another submesh. Whoever comes near it
 // before it moves gets past it, and neither can move any more. O(degree).
 template <class Real>
-bool follows_deferred(const Work<Real>& work, const Ring<Real>& ring, Real x, Real y) {
+bool follows_deferred(const Work<Real>& work, const Star<Real>& star, Real x, Real y) {
     const auto is_ahead = [&](std::uint32_t i) {
-        return (x - ring.x0) * (ring.link_x(i) - ring.x0) +
-                   (y - ring.y0) * (ring.link_y(i) - ring.y0) >
+        return (x - star.x0) * (star.link_x(i) - star.x0) +
+                   (y - star.y0) * (star.link_y(i) - star.y0) >
                0;
     };
-    for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-        if (is_waiting(work.complex, ring.link[i]) && is_ahead(i) &&
-            is_deferred(work, ring.link[i])) {
+    for (std::uint32_t i = 0; i < star.link_size(); ++i) {
+        if (is_waiting(work.complex, star.link[i]) && is_ahead(i) &&
+            is_deferred(work, star.link[i])) {
             return true;
         }
     }
@@ -75,10 +75,10 @@ template <class Real>
 bool gather_moving_vertex(Work<Real>& work, const MovingVertex<Real>& moving_vertex) {
     const Region& region = work.submesh.region;
     if (moving_vertex.star < work.stars.size()) {
-        gather_kept(work.complex, region, work.stars[moving_vertex.star], work.ring);
+        gather_cached(work.complex, region, work.stars[moving_vertex.star], work.star);
         return true;
     }
-    return gather(work.complex, region, moving_vertex.vertex, work.ring);
+    return gather(work.complex, region, moving_vertex.vertex, work.star);
 }
 
 } // namespace
@@ -89,10 +89,10 @@ void move_vertices(Work<Real>& work) {
     work.arrived = 0;
     std::size_t kept = 0;
     for (const MovingVertex<Real>& moving_vertex : work.moving_vertices) {
-        Ring<Real>& ring = work.ring;
+        Star<Real>& star = work.star;
         const bool gathered = gather_moving_vertex(work, moving_vertex);
         auto& flags = work.complex.vertices[moving_vertex.vertex].flags;
-        if (!ring.owned) {
+        if (!star.owned) {
             if (gathered) {
                 defer(work, moving_vertex);
             } else { // it belongs to another submesh
@@ -106,24 +106,24 @@ void move_vertices(Work<Real>& work) {
         }
         Real x = moving_vertex.x;
         Real y = moving_vertex.y;
-        if (!ring.closed) {
-            stay_on_boundary(ring, x, y);
+        if (!star.closed) {
+            stay_on_boundary(star, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // It would leave the submesh, where the next colour looks for what was postponed.
             defer(work, moving_vertex);
             continue;
         }
-        const MoveOutcome outcome = move_vertex(work.submesh, ring, x, y);
+        const MoveOutcome outcome = move_vertex(work.submesh, star, x, y);
         if (outcome != MoveOutcome::blocked) {
             ++work.progressed;
         }
         work.activate(moving_vertex.vertex);
-        activate_link(work, ring);
+        activate_link(work, star);
         constexpr std::uint32_t late = vertex_contact | vertex_on_way;
         work.arrived += outcome == MoveOutcome::reached ? 1 : 0;
         if (outcome != MoveOutcome::reached) {
-            if (!work.submesh.region.is_whole() && follows_deferred(work, ring, x, y)) {
+            if (!work.submesh.region.is_whole() && follows_deferred(work, star, x, y)) {
                 defer(work, moving_vertex);
             } else {
                 flags |= vertex_on_way;

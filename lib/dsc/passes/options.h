@@ -54,7 +54,7 @@ struct InterfaceThresholds {
     double degenerate = 5;
     /// Turns sharper than this at the start are corners: they are kept, and curves are not
     /// interpolated across them.
-    double corner_degrees = 40;
+    double feature_degrees = 40;
 
     Coarsening coarsening = Coarsening::deviation; ///< which vertices may go
     Reading reading = Reading::chords;             ///< what `deviation` is measured from
@@ -87,7 +87,7 @@ struct Options {
     /// Phases whose inside moves with the flow as well, not only the interface around it (thesis,
     /// section 9.1): a phase that moves as a rigid body keeps its triangles. Only for flows that
     /// are velocities. Without such phases there is no cost.
-    std::vector<Phase> carried_phases = {};
+    std::vector<Phase> advected_phases = {};
 
     Integrator integrator = Integrator::rk4; ///< how targets are found from velocities
     double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
@@ -111,9 +111,9 @@ struct Options {
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
     }
-    /// Whether the inside of a phase moves with the flow. O(carried phases).
-    [[nodiscard]] bool carries(Phase phase) const {
-        return std::ranges::find(carried_phases, phase) != carried_phases.end();
+    /// Whether the inside of a phase moves with the flow. O(advected phases).
+    [[nodiscard]] bool advects(Phase phase) const {
+        return std::ranges::find(advected_phases, phase) != advected_phases.end();
     }
 };
 

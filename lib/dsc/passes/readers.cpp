@@ -26,10 +26,10 @@ void wake_vertex(Work<Real>& work, Vertex v) {
 template <class Real>
 void wake_star(Work<Real>& work, Vertex v) {
     wake_vertex(work, v);
-    if (work.complex.is_alive(v) && gather(work.complex, work.submesh.region, v.id, work.ring)) {
-        for (std::uint32_t i = 0; i < work.ring.link_size(); ++i) {
-            const std::uint32_t w = work.ring.link[i];
-            if (work.ring.owned || owns(work.complex, work.submesh.region, w)) {
+    if (work.complex.is_alive(v) && gather(work.complex, work.submesh.region, v.id, work.star)) {
+        for (std::uint32_t i = 0; i < work.star.link_size(); ++i) {
+            const std::uint32_t w = work.star.link[i];
+            if (work.star.owned || owns(work.complex, work.submesh.region, w)) {
                 work.activate(w);
             } else {
                 work.deferred.star(w);
@@ -194,8 +194,8 @@ std::vector<std::uint32_t> on_interface(const Complex<Real>& complex,
 
 template <class Real>
 void run_pass(Work<Real>& work, const Pass<Real>& pass) {
-    const bool carries = !work.options.carried_phases.empty();
-    if (pass.attends && !carries) {
+    const bool advects = !work.options.advected_phases.empty();
+    if (pass.attends && !advects) {
         pass.run(work);
         return;
     }

@@ -47,8 +47,8 @@ template <class Real>
 
 /// Runs a pass, and reads its log unless the pass attends to its own edits: calls `wake`, and
 /// applies the changes of the interface to `work.interface`, noting them in
-/// `work.changed_interface` for lists kept elsewhere. Where phases are carried, the list is brought
-/// up to date after every pass: vertices inside come and go in all of them.
+/// `work.changed_interface` for lists kept elsewhere. Where phases are advected, the list is
+/// brought up to date after every pass: vertices inside come and go in all of them.
 template <class Real>
 void run_pass(Work<Real>& work, const Pass<Real>& pass);
 

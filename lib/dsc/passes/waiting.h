@@ -19,10 +19,10 @@ bool is_waiting(const Complex<Real>& complex, std::uint32_t vertex) {
 
 /// Where stars are left as they are while one of their vertices has yet to arrive.
 struct WaitingRule {
-    bool in_carried_phases = false; ///< their triangles are to stay what they are
-    bool everywhere = false;        ///< fields have values of two times there
+    bool in_advected_phases = false; ///< their triangles are to stay what they are
+    bool everywhere = false;         ///< fields have values of two times there
 
-    [[nodiscard]] bool applies() const { return in_carried_phases || everywhere; }
+    [[nodiscard]] bool applies() const { return in_advected_phases || everywhere; }
 };
 
 /// Of a work. Stars wait only while vertices arrive: one that goes half of its way in each pass,
@@ -32,25 +32,25 @@ WaitingRule waiting_rule(const Work<Real>& work) {
     if (work.arrived == 0 && !work.moving_vertices.empty()) {
         return {};
     }
-    return {!work.options.carried_phases.empty(), work.complex.attributes.has_fields()};
+    return {!work.options.advected_phases.empty(), work.complex.attributes.has_fields()};
 }
 
 /// Whether an owned star is one of these. O(degree).
 template <class Real>
-bool waits(const Work<Real>& work, const WaitingRule& rule, const Ring<Real>& ring) {
-    const auto carries = [&](Phase phase) { return work.options.carries(phase); };
+bool waits(const Work<Real>& work, const WaitingRule& rule, const Star<Real>& star) {
+    const auto advects = [&](Phase phase) { return work.options.advects(phase); };
     const auto is_late = [&](std::uint32_t v) { return is_waiting(work.complex, v); };
     return (rule.everywhere ||
-            std::any_of(ring.phase.begin(), ring.phase.begin() + ring.size, carries)) &&
-           (is_late(ring.vertex) ||
-            std::any_of(ring.link.begin(), ring.link.begin() + ring.link_size(), is_late));
+            std::any_of(star.phase.begin(), star.phase.begin() + star.size, advects)) &&
+           (is_late(star.vertex) ||
+            std::any_of(star.link.begin(), star.link.begin() + star.link_size(), is_late));
 }
 
 /// The same for the two triangles at the edge opposite to `c`, all of whose vertices are owned.
 template <class Real>
 bool waits_around(const Work<Real>& work, const WaitingRule& rule, Corner c) {
     const Complex<Real>& complex = work.complex;
-    if (!rule.everywhere && !work.options.carries(complex.phase_at(c))) {
+    if (!rule.everywhere && !work.options.advects(complex.phase_at(c))) {
         return false;
     }
     const auto is_late = [&](Corner at) { return is_waiting(complex, complex.vertex(at)); };

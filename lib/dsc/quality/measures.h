@@ -59,33 +59,33 @@ Real quality_squared(const Point<Real>& a, const Point<Real>& b, const Point<Rea
            Real(4.0 / 3.0);
 }
 
-/// The smallest signed squared quality of the ring's triangles with the centre at (px, py).
+/// The smallest signed squared quality of the star's triangles with the centre at (px, py).
 template <class Real>
-Real worst_quality_squared(const Ring<Real>& ring, Real px, Real py) {
+Real worst_quality_squared(const Star<Real>& star, Real px, Real py) {
     Real worst = std::numeric_limits<Real>::max();
-    const std::uint32_t n = ring.padded();
+    const std::uint32_t n = star.padded();
 #pragma omp simd reduction(min : worst)
     for (std::uint32_t i = 0; i < n; ++i) {
         worst =
-            std::min(worst, sine_squared_of_lanes<Real>(ring.x[i] - px, ring.y[i] - py,
-                                                        ring.x_next[i] - px, ring.y_next[i] - py));
+            std::min(worst, sine_squared_of_lanes<Real>(star.x[i] - px, star.y[i] - py,
+                                                        star.x_next[i] - px, star.y_next[i] - py));
     }
     return worst * Real(4.0 / 3.0);
 }
 
 /// The same after a collapse of the centre into link vertex i: its two triangles vanish, the others
-/// take link vertex i for the centre. Only for closed rings of at least four triangles.
+/// take link vertex i for the centre. Only for closed stars of at least four triangles.
 template <class Real>
-Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
-    const std::uint32_t n = ring.size;
-    const std::uint32_t lanes = ring.padded();
-    const Real px = ring.x[i];
-    const Real py = ring.y[i];
-    alignas(64) std::array<Real, Ring<Real>::room> sine_squared;
+Real worst_quality_squared_after_collapse(const Star<Real>& star, std::uint32_t i) {
+    const std::uint32_t n = star.size;
+    const std::uint32_t lanes = star.padded();
+    const Real px = star.x[i];
+    const Real py = star.y[i];
+    alignas(64) std::array<Real, Star<Real>::room> sine_squared;
 #pragma omp simd
     for (std::uint32_t j = 0; j < lanes; ++j) {
-        sine_squared[j] = sine_squared_of_lanes<Real>(ring.x[j] - px, ring.y[j] - py,
-                                                      ring.x_next[j] - px, ring.y_next[j] - py);
+        sine_squared[j] = sine_squared_of_lanes<Real>(star.x[j] - px, star.y[j] - py,
+                                                      star.x_next[j] - px, star.y_next[j] - py);
     }
     constexpr Real harmless = std::numeric_limits<Real>::max();
     sine_squared[i] = harmless;
@@ -100,14 +100,14 @@ Real worst_quality_squared_after_collapse(const Ring<Real>& ring, std::uint32_t 
 /// True if every triangle with the centre at (px, py) is certainly positive; false sends the caller
 /// to the exact predicate.
 template <class Real>
-bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
+bool certainly_positive(const Star<Real>& star, Real px, Real py) {
     Real least = std::numeric_limits<Real>::max();
     Real scale = std::numeric_limits<Real>::max();
-    const std::uint32_t n = ring.padded();
+    const std::uint32_t n = star.padded();
 #pragma omp simd reduction(min : least) reduction(min : scale)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real left = (ring.x[i] - px) * (ring.y_next[i] - py);
-        const Real right = (ring.y[i] - py) * (ring.x_next[i] - px);
+        const Real left = (star.x[i] - px) * (star.y_next[i] - py);
+        const Real right = (star.y[i] - py) * (star.x_next[i] - px);
         const Real size = std::abs(left) + std::abs(right);
         least = std::min(least, (left - right) - area_bound<Real> * size);
         scale = std::min(scale, size);
@@ -122,15 +122,15 @@ bool certainly_positive(const Ring<Real>& ring, Real px, Real py) {
 
 /// True if every star triangle is strictly positive with the centre at (px, py); exact.
 template <class Real>
-bool all_positive(const Ring<Real>& ring, Real px, Real py) {
-    if (certainly_positive(ring, px, py)) {
+bool all_positive(const Star<Real>& star, Real px, Real py) {
+    if (certainly_positive(star, px, py)) {
         return true;
     }
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
+    for (std::uint32_t i = 0; i < star.size; ++i) {
         if (orientation(static_cast<double>(px), static_cast<double>(py),
-                        static_cast<double>(ring.x[i]), static_cast<double>(ring.y[i]),
-                        static_cast<double>(ring.x_next[i]),
-                        static_cast<double>(ring.y_next[i])) <= 0) {
+                        static_cast<double>(star.x[i]), static_cast<double>(star.y[i]),
+                        static_cast<double>(star.x_next[i]),
+                        static_cast<double>(star.y_next[i])) <= 0) {
             return false;
         }
     }
@@ -159,32 +159,32 @@ template <class Real>
 }
 
 /// The Delaunay margin of each incident edge of a star, as `delaunay_margin`: below 0 where an
-/// incident edge fails the test by more than the slack. Incident edge 0 of an open ring never
+/// incident edge fails the test by more than the slack. Incident edge 0 of an open star never
 /// fails.
 template <class Real>
-using IncidentEdgeMargins = std::array<Real, Ring<Real>::room>;
+using IncidentEdgeMargins = std::array<Real, Star<Real>::room>;
 
 /// Examines the star: Delaunay test of the incident edges (the angles opposite to one add up to at
 /// most pi; constrained incident edges are treated like others), their lengths, the worst quality.
 /// Also writes the margin of each incident edge. O(degree).
 template <class Real>
-StarReport<Real> examine(const Ring<Real>& ring, IncidentEdgeMargins<Real>& margins) {
+StarReport<Real> examine(const Star<Real>& star, IncidentEdgeMargins<Real>& margins) {
     constexpr Real most = std::numeric_limits<Real>::max();
     Real delaunay = 0;
     Real longest = 0;
     Real shortest = most;
     Real worst = most;
-    const std::uint32_t n = ring.padded();
-    const Real px = ring.x0;
-    const Real py = ring.y0;
+    const std::uint32_t n = star.padded();
+    const Real px = star.x0;
+    const Real py = star.y0;
 #pragma omp simd reduction(min : delaunay, shortest, worst) reduction(max : longest)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = ring.x[i] - px;
-        const Real ay = ring.y[i] - py;
-        const Real bx = ring.x_next[i] - px;
-        const Real by = ring.y_next[i] - py;
-        const Real ex = ring.x_previous[i] - px;
-        const Real ey = ring.y_previous[i] - py;
+        const Real ax = star.x[i] - px;
+        const Real ay = star.y[i] - py;
+        const Real bx = star.x_next[i] - px;
+        const Real by = star.y_next[i] - py;
+        const Real ex = star.x_previous[i] - px;
+        const Real ey = star.y_previous[i] - py;
         const Real found = incident_edge_margin<Real>(ax, ay, bx, by, ex, ey);
         margins[i] = found;
         delaunay = std::min(delaunay, found);
@@ -193,8 +193,8 @@ StarReport<Real> examine(const Ring<Real>& ring, IncidentEdgeMargins<Real>& marg
         shortest = std::min(shortest, aa);
         worst = std::min(worst, sine_squared_of_lanes<Real>(ax, ay, bx, by));
     }
-    if (!ring.closed) {
-        const Real last = ring.squared_edge(ring.size);
+    if (!star.closed) {
+        const Real last = star.squared_edge(star.size);
         longest = std::max(longest, last);
         shortest = std::min(shortest, last);
     }
@@ -203,9 +203,9 @@ StarReport<Real> examine(const Ring<Real>& ring, IncidentEdgeMargins<Real>& marg
 
 /// The same without the margins.
 template <class Real>
-StarReport<Real> examine(const Ring<Real>& ring) {
+StarReport<Real> examine(const Star<Real>& star) {
     IncidentEdgeMargins<Real> margins;
-    return examine(ring, margins);
+    return examine(star, margins);
 }
 
 } // namespace dsc

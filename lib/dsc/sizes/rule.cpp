@@ -5,29 +5,29 @@
 namespace dsc {
 
 template <class Real>
-Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>& values) {
+Real min_over_link(const Star<Real>& star, Real slope, const LinkValues<Real>& values) {
     Real least = std::numeric_limits<Real>::infinity();
-    const std::uint32_t n = ring.closed ? ring.padded() : ring.size;
-    const Real px = ring.x0;
-    const Real py = ring.y0;
+    const std::uint32_t n = star.closed ? star.padded() : star.size;
+    const Real px = star.x0;
+    const Real py = star.y0;
 #pragma omp simd reduction(min : least)
     for (std::uint32_t i = 0; i < n; ++i) {
-        const Real ax = ring.x[i] - px;
-        const Real ay = ring.y[i] - py;
-        const Real bx = ring.x_next[i] - px;
-        const Real by = ring.y_next[i] - py;
+        const Real ax = star.x[i] - px;
+        const Real ay = star.y[i] - py;
+        const Real bx = star.x_next[i] - px;
+        const Real by = star.y_next[i] - py;
         least = std::min(least, values.at[i] + slope * std::sqrt(ax * ax + ay * ay));
-        least = std::min(least,
-                         least_between<Real>(ax, ay, values.at[i], bx, by, values.next[i], slope));
-    }
-    if (!ring.closed) {
         least =
-            std::min(least, values.at[ring.size] + slope * std::sqrt(ring.squared_edge(ring.size)));
+            std::min(least, min_between<Real>(ax, ay, values.at[i], bx, by, values.next[i], slope));
+    }
+    if (!star.closed) {
+        least =
+            std::min(least, values.at[star.size] + slope * std::sqrt(star.squared_edge(star.size)));
     }
     return least;
 }
 
-template double least_over_link(const Ring<double>&, double, const LinkValues<double>&);
-template float least_over_link(const Ring<float>&, float, const LinkValues<float>&);
+template double min_over_link(const Star<double>&, double, const LinkValues<double>&);
+template float min_over_link(const Star<float>&, float, const LinkValues<float>&);
 
 } // namespace dsc

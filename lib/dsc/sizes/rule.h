@@ -18,7 +18,7 @@ namespace dsc {
 /// value is linear; infinity if it is at an end, or if the values at both ends are infinite. (ax,
 /// ay) and (bx, by) lead from p to a and b. `slope` must be positive. Without branches.
 template <class Real>
-Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b, Real slope) {
+Real min_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b, Real slope) {
     const Real ex = bx - ax;
     const Real ey = by - ay;
     const Real squared = ex * ex + ey * ey;
@@ -37,40 +37,40 @@ Real least_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_
     return std::max(bound, value);
 }
 
-/// The values at the link of a ring: as the ring's coordinates, padded, with those of the next link
+/// The values at the link of a star: as the star's coordinates, padded, with those of the next link
 /// vertex beside them.
 template <class Real>
 struct LinkValues {
-    alignas(64) std::array<Real, Ring<Real>::room> at;   ///< of link vertex i
-    alignas(64) std::array<Real, Ring<Real>::room> next; ///< of link vertex i + 1
+    alignas(64) std::array<Real, Star<Real>::room> at;   ///< of link vertex i
+    alignas(64) std::array<Real, Star<Real>::room> next; ///< of link vertex i + 1
 
     /// Takes value(v) of each vertex v of the link. O(degree).
     template <class Value>
-    void take(const Ring<Real>& ring, Value value) {
-        const std::uint32_t n = ring.size;
-        at[0] = value(ring.link[0]);
-        for (std::uint32_t i = 1; i <= n; ++i) { // the last one of an open ring is not padding
-            const Real there = value(ring.link[i]);
+    void take(const Star<Real>& star, Value value) {
+        const std::uint32_t n = star.size;
+        at[0] = value(star.link[0]);
+        for (std::uint32_t i = 1; i <= n; ++i) { // the last one of an open star is not padding
+            const Real there = value(star.link[i]);
             at[i] = there;
             next[i - 1] = there;
         }
-        for (std::uint32_t i = n; i < ring.padded(); ++i) {
+        for (std::uint32_t i = n; i < star.padded(); ++i) {
             at[i + 1] = at[0];
             next[i] = next[0];
         }
     }
 };
 
-/// The least of value(q) + slope |p - q| over the points q of the link of a ring, whose centre is
+/// The least of value(q) + slope |p - q| over the points q of the link of a star, whose centre is
 /// p; the value is linear along the link's edges. O(degree).
 template <class Real>
-Real least_over_link(const Ring<Real>& ring, Real slope, const LinkValues<Real>& values);
+Real min_over_link(const Star<Real>& star, Real slope, const LinkValues<Real>& values);
 
 /// Whether the centre of a star is on the interface (or on a side of the domain that belongs to
 /// it). O(1).
 template <class Real>
-bool is_on_interface(const Ring<Real>& ring) {
-    return !ring.one_phase || (!ring.closed && ring.phase[0] != exterior_phase);
+bool is_on_interface(const Star<Real>& star) {
+    return !star.one_phase || (!star.closed && star.phase[0] != exterior_phase);
 }
 
 /// What the target should be. Thread-safe if the functions of the application are.
@@ -94,25 +94,25 @@ public:
     [[nodiscard]] bool needs_distance() const { return bool(options_.by_distance); }
 
     /// The target at the centre without regard to its neighbours. O(degree).
-    [[nodiscard]] Real own(const Ring<Real>& ring, Real distance, Real time) const {
-        if (is_finest(ring)) {
+    [[nodiscard]] Real own(const Star<Real>& star, Real distance, Real time) const {
+        if (is_finest(star)) {
             return edge_length_;
         }
         Real least =
             options_.longest > 0 ? options_.longest : std::numeric_limits<Real>::infinity();
-        for (std::uint32_t i = 0; options_.by_place && i < ring.size; ++i) {
-            if (i == 0 || ring.phase[i] != ring.phase[i - 1]) {
-                const Point<Real> place(ring.x0, ring.y0);
-                least = std::min(least, checked(options_.by_place(place, time, ring.phase[i]),
+        for (std::uint32_t i = 0; options_.by_place && i < star.size; ++i) {
+            if (i == 0 || star.phase[i] != star.phase[i - 1]) {
+                const Point<Real> place(star.x0, star.y0);
+                least = std::min(least, checked(options_.by_place(place, time, star.phase[i]),
                                                 "sizes.by_place", place));
             }
         }
-        if (options_.on_interface && is_on_interface(ring)) {
-            least = std::min(least, on_interface({ring.x0, ring.y0}, time));
+        if (options_.on_interface && is_on_interface(star)) {
+            least = std::min(least, on_interface({star.x0, star.y0}, time));
         }
         if (needs_distance()) {
             least = std::min(least, checked(options_.by_distance(distance), "sizes.by_distance",
-                                            {ring.x0, ring.y0}));
+                                            {star.x0, star.y0}));
         }
         return least;
     }
@@ -123,32 +123,32 @@ public:
     }
 
     /// Whether all that matters at the centre is that it is on the interface. O(1).
-    [[nodiscard]] bool is_finest(const Ring<Real>& ring) const {
-        return !options_.by_place && !options_.on_interface && is_on_interface(ring);
+    [[nodiscard]] bool is_finest(const Star<Real>& star) const {
+        return !options_.by_place && !options_.on_interface && is_on_interface(star);
     }
 
     /// Whether a test without roots and quotients shows that `at` differs from a stored length by
     /// no more than the slack, and that a neighbour is lower. It does for most stars. O(degree).
     template <class Sizes>
-    [[nodiscard]] bool stays(const Ring<Real>& ring, const Sizes& sizes, Real stored,
+    [[nodiscard]] bool stays(const Star<Real>& star, const Sizes& sizes, Real stored,
                              Real time) const {
-        if (needs_distance() || !ring.closed) {
+        if (needs_distance() || !star.closed) {
             return false;
         }
         // A target between these two is not followed, whatever the rounding is.
         const Real least = stored / (1 + slack_) * Real(1 + 1e-5);
         const Real most = stored * (1 + slack_) * Real(1 - 1e-5);
-        const Real alone = own(ring, 0, time);
+        const Real alone = own(star, 0, time);
         bool is_low_enough = alone <= most;
         bool is_high_enough = alone >= least;
         bool is_above = false;
-        Real here = sizes[ring.link[0]].length;
-        for (std::uint32_t i = 0; i < ring.size; ++i) {
-            const Real next = sizes[ring.link[i + 1]].length;
-            const Real ax = ring.x[i] - ring.x0;
-            const Real ay = ring.y[i] - ring.y0;
-            const Real bx = ring.x_next[i] - ring.x0;
-            const Real by = ring.y_next[i] - ring.y0;
+        Real here = sizes[star.link[0]].length;
+        for (std::uint32_t i = 0; i < star.size; ++i) {
+            const Real next = sizes[star.link[i + 1]].length;
+            const Real ax = star.x[i] - star.x0;
+            const Real ay = star.y[i] - star.y0;
+            const Real bx = star.x_next[i] - star.x0;
+            const Real by = star.y_next[i] - star.y0;
             const Real ex = bx - ax;
             const Real ey = by - ay;
             const Real incident_edge = slope_ * slope_ * (ax * ax + ay * ay);
@@ -166,16 +166,16 @@ public:
 
     /// The same with regard to its neighbours, of which `sizes` knows. O(degree).
     template <class Sizes>
-    [[nodiscard]] VertexSize<Real> at(const Ring<Real>& ring, const Sizes& sizes, Real time) const {
+    [[nodiscard]] VertexSize<Real> at(const Star<Real>& star, const Sizes& sizes, Real time) const {
         LinkValues<Real> values;
         Real distance = 0;
-        if (needs_distance() && !is_on_interface(ring)) {
-            values.take(ring, [&](std::uint32_t v) { return sizes[v].distance; });
-            distance = least_over_link(ring, Real(1), values);
+        if (needs_distance() && !is_on_interface(star)) {
+            values.take(star, [&](std::uint32_t v) { return sizes[v].distance; });
+            distance = min_over_link(star, Real(1), values);
         }
-        values.take(ring, [&](std::uint32_t v) { return sizes[v].length; });
-        const Real least = own(ring, distance, time);
-        return {std::min(least, least_over_link(ring, slope_, values)), distance};
+        values.take(star, [&](std::uint32_t v) { return sizes[v].length; });
+        const Real least = own(star, distance, time);
+        return {std::min(least, min_over_link(star, slope_, values)), distance};
     }
 
 private:

@@ -69,27 +69,27 @@ public:
 
 private:
     void reach_from(std::uint32_t v) {
-        if (!gather(complex_, Region{}, v, ring_)) {
+        if (!gather(complex_, Region{}, v, star_)) {
             return;
         }
-        const std::uint32_t n = ring_.link_size();
+        const std::uint32_t n = star_.link_size();
         for (std::uint32_t i = 0; i < n; ++i) {
-            const Real ax = ring_.x0 - ring_.link_x(i);
-            const Real ay = ring_.y0 - ring_.link_y(i);
-            Real value = values_[v] + slope_ * std::sqrt(ring_.squared_edge(i));
+            const Real ax = star_.x0 - star_.link_x(i);
+            const Real ay = star_.y0 - star_.link_y(i);
+            Real value = values_[v] + slope_ * std::sqrt(star_.squared_edge(i));
             const auto across = [&](std::uint32_t j) {
-                value = std::min(value, least_between<Real>(ax, ay, values_[v],
-                                                            ring_.link_x(j) - ring_.link_x(i),
-                                                            ring_.link_y(j) - ring_.link_y(i),
-                                                            values_[ring_.link[j]], slope_));
+                value = std::min(value, min_between<Real>(ax, ay, values_[v],
+                                                          star_.link_x(j) - star_.link_x(i),
+                                                          star_.link_y(j) - star_.link_y(i),
+                                                          values_[star_.link[j]], slope_));
             };
-            if (i > 0 || ring_.closed) {
+            if (i > 0 || star_.closed) {
                 across(i > 0 ? i - 1 : n - 1);
             }
-            if (i + 1 < n || ring_.closed) {
+            if (i + 1 < n || star_.closed) {
                 across(i + 1 < n ? i + 1 : 0);
             }
-            lower(ring_.link[i], value);
+            lower(star_.link[i], value);
         }
     }
 
@@ -105,7 +105,7 @@ private:
     std::vector<Real>& values_;
     Real slope_;
     std::priority_queue<Reached<Real>> queue_;
-    Ring<Real> ring_;
+    Star<Real> star_;
 };
 
 } // namespace
@@ -139,11 +139,11 @@ void measure_sizes(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real 
     const SizeRule<Real> rule(sizes, edge_length);
     std::vector<Real> distances;
     std::vector<Real> values(complex.vertex_bound(), std::numeric_limits<Real>::infinity());
-    Ring<Real> ring;
+    Star<Real> star;
     if (rule.needs_distance()) {
         distances = values;
         for (const Vertex v : vertices(complex)) {
-            if (gather(complex, Region{}, v.id, ring) && is_on_interface(ring)) {
+            if (gather(complex, Region{}, v.id, star) && is_on_interface(star)) {
                 distances[v.id] = 0;
             }
         }
@@ -151,8 +151,8 @@ void measure_sizes(Complex<Real>& complex, const SizeOptions<Real>& sizes, Real 
     }
     const auto distance = [&](Vertex v) { return distances.empty() ? Real(0) : distances[v.id]; };
     for (const Vertex v : vertices(complex)) {
-        if (gather(complex, Region{}, v.id, ring)) {
-            values[v.id] = rule.own(ring, distance(v), time);
+        if (gather(complex, Region{}, v.id, star)) {
+            values[v.id] = rule.own(star, distance(v), time);
         }
     }
     March<Real>(complex, values, rule.slope()).run();

@@ -10,11 +10,11 @@ Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a, st
     std::array<Point, 2> normals;
     for (std::uint32_t i = 0; i < 2; ++i) {
         gather(complex, i == 0 ? a : b, work.star);
-        gather(complex, work.star, work.fan);
-        if (stratum(work.fan) != Stratum::sheet) {
+        gather(complex, work.star, work.interface_star);
+        if (stratum(work.interface_star) != Stratum::sheet) {
             return middle;
         }
-        normals[i] = normal(complex, work.fan);
+        normals[i] = normal(complex, work.interface_star);
     }
     if (normals[0].dot(normals[1]) < 0) {
         return middle;

@@ -14,10 +14,11 @@ namespace {
 // even if that does not reach the floor: such stars would be stuck otherwise.
 constexpr Real escape = 1.5;
 
-bool is_near(const Complex& complex, const Fan& fan, std::uint32_t target, Real deviation) {
-    const Point& p = complex.at(fan.centre);
+bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::uint32_t target,
+             Real deviation) {
+    const Point& p = complex.at(interface_star.centre);
     const Point& t = complex.at(target);
-    for (const FanFace& face : fan.faces) {
+    for (const StarFace& face : interface_star.faces) {
         if (face.x == target || face.y == target) {
             continue;
         }
@@ -43,10 +44,10 @@ bool is_near(const Complex& complex, const Fan& fan, std::uint32_t target, Real 
 
 Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t target,
                         const CollapseRules& rules) {
-    Fan& fan = work.fan;
-    gather(complex, work.star, fan);
+    InterfaceStar& interface_star = work.interface_star;
+    gather(complex, work.star, interface_star);
     std::array<std::uint32_t, 2> beside{no_id, no_id};
-    for (const FanFace& face : fan.faces) {
+    for (const StarFace& face : interface_star.faces) {
         if (face.x == target) {
             beside[0] = face.y;
         } else if (face.y == target) {
@@ -56,12 +57,13 @@ Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t t
     if (beside[0] == no_id || beside[1] == no_id) {
         return Verdict::on_interface;
     }
-    if (fan.size() < 4 || beside[0] == beside[1] || stratum(fan) != Stratum::sheet) {
+    if (interface_star.size() < 4 || beside[0] == beside[1] ||
+        stratum(interface_star) != Stratum::sheet) {
         return Verdict::changes_topology;
     }
-    const Point& from = complex.at(fan.centre);
+    const Point& from = complex.at(interface_star.centre);
     const Point& to = complex.at(target);
-    for (const FanFace& face : fan.faces) {
+    for (const StarFace& face : interface_star.faces) {
         if (face.x == target || face.y == target) {
             continue;
         }
@@ -73,25 +75,26 @@ Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t t
             return Verdict::inverts;
         }
     }
-    if (std::isfinite(rules.deviation) && !is_near(complex, fan, target, rules.deviation)) {
+    if (std::isfinite(rules.deviation) &&
+        !is_near(complex, interface_star, target, rules.deviation)) {
         return Verdict::no_gain;
     }
     gather(complex, target, work.other);
-    gather(complex, work.other, work.other_fan);
-    if (stratum(work.other_fan) != Stratum::sheet) {
+    gather(complex, work.other, work.other_interface_star);
+    if (stratum(work.other_interface_star) != Stratum::sheet) {
         return Verdict::changes_topology;
     }
     std::uint32_t common = 0;
-    for (const FanFace& face : fan.faces) {
-        common += work.other_fan.has_edge_to(face.x) ? 1U : 0U;
+    for (const StarFace& face : interface_star.faces) {
+        common += work.other_interface_star.has_edge_to(face.x) ? 1U : 0U;
     }
     if (common != 2) {
         return Verdict::changes_topology;
     }
     for (const std::uint32_t v : beside) { // they lose a face
         gather(complex, v, work.other);
-        gather(complex, work.other, work.other_fan);
-        if (work.other_fan.size() < 4) {
+        gather(complex, work.other, work.other_interface_star);
+        if (work.other_interface_star.size() < 4) {
             return Verdict::changes_topology;
         }
     }

@@ -15,14 +15,14 @@ namespace {
 bool breaks_manifold(const Complex& complex, Workspace& work, std::uint32_t a, std::uint32_t b,
                      std::uint32_t c, std::uint32_t d) {
     gather(complex, c, work.other);
-    gather(complex, work.other, work.other_fan);
-    if (work.other_fan.has_edge_to(d)) {
+    gather(complex, work.other, work.other_interface_star);
+    if (work.other_interface_star.has_edge_to(d)) {
         return true;
     }
     for (const std::uint32_t v : {a, b}) {
         gather(complex, v, work.other);
-        gather(complex, work.other, work.other_fan);
-        if (work.other_fan.size() < 4) {
+        gather(complex, work.other, work.other_interface_star);
+        if (work.other_interface_star.size() < 4) {
             return true;
         }
     }

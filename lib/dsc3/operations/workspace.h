@@ -5,7 +5,7 @@
 #include "dsc3/complex/rewire.h"
 #include "dsc3/complex/star.h"
 #include "dsc3/quality/star_quality.h"
-#include "dsc3/queries/fan.h"
+#include "dsc3/queries/interface_star.h"
 
 #include <array>
 #include <cstdint>
@@ -35,8 +35,8 @@ struct Workspace {
     Rewiring rewiring;
     Star star;
     Star other;
-    Fan fan;
-    Fan other_fan;
+    InterfaceStar interface_star;
+    InterfaceStar other_interface_star;
     Ring ring;
     StarQuality quality;
     /// The best triangulations of the pieces of a polygon; see edge_removal.cpp.

@@ -18,7 +18,7 @@ constexpr int unjam_after = 4;    // passes
 constexpr Real blocking_quality = 0.35;
 // The thresholds of movement fall by this factor a pass, and no further than that.
 constexpr Real move_factor = 0.3;
-constexpr Real move_least = 1e-5;
+constexpr Real min_move = 1e-5;
 // Of jammed vertices. Lengths are in edge lengths.
 constexpr Real unjam_length = 0.8;
 constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.3};
@@ -44,9 +44,9 @@ void unjam(PassState& state) {
             continue;
         }
         gather(state.complex, v, state.work.star);
-        gather(state.complex, state.work.star, state.work.fan);
+        gather(state.complex, state.work.star, state.work.interface_star);
         edges.clear();
-        for (const FanFace& face : state.work.fan.faces) {
+        for (const StarFace& face : state.work.interface_star.faces) {
             const Real square = squared_distance(state.complex.at(v), state.complex.at(face.x));
             if (square < length * length) {
                 edges.push_back({square, v, face.x});
@@ -89,7 +89,7 @@ std::uint32_t arrive(PassState& state) {
             drop_vanished(state);
         }
         if (pass >= patient_passes) {
-            move_quality = std::max(move_factor * move_quality, move_least);
+            move_quality = std::max(move_factor * move_quality, min_move);
         }
     }
     return passes;

@@ -21,11 +21,11 @@ constexpr Real collapse_enough = 0.3;
 // A new vertex goes towards its place as long as its tets stay above.
 constexpr Real insertion_quality = 0.02;
 
-// The face of the fan after that to `face.x`, on the other side of this edge.
-const FanFace* across(const Fan& fan, const FanFace& face) {
-    const auto at = std::find_if(fan.faces.begin(), fan.faces.end(),
-                                 [&](const FanFace& other) { return other.y == face.x; });
-    return at == fan.faces.end() || at->x == face.y ? nullptr : &*at;
+// The face of the star after that to `face.x`, on the other side of this edge.
+const StarFace* across(const InterfaceStar& interface_star, const StarFace& face) {
+    const auto at = std::find_if(interface_star.faces.begin(), interface_star.faces.end(),
+                                 [&](const StarFace& other) { return other.y == face.x; });
+    return at == interface_star.faces.end() || at->x == face.y ? nullptr : &*at;
 }
 
 // Sorts the edges at these vertices; each edge is looked at from its lower vertex.
@@ -41,9 +41,9 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
     Workspace& work = state.work;
     for (const std::uint32_t v : vertices) {
         gather(complex, v, work.star);
-        gather(complex, work.star, work.fan);
+        gather(complex, work.star, work.interface_star);
         const Point& pv = complex.at(v);
-        for (const FanFace& face : work.fan.faces) {
+        for (const StarFace& face : work.interface_star.faces) {
             const std::uint32_t x = face.x;
             if (v > x && std::binary_search(vertices.begin(), vertices.end(), x)) {
                 continue;
@@ -55,7 +55,7 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
                 state.too_short.push_back(edge);
             } else if (square > longest) {
                 state.too_long.push_back(edge);
-            } else if (const FanFace* other = across(work.fan, face);
+            } else if (const StarFace* other = across(work.interface_star, face);
                        other != nullptr && wants_flip(pv, px, complex.at(face.y),
                                                       complex.at(other->x), FlipRules{}.slack)) {
                 state.to_flip.push_back(edge);

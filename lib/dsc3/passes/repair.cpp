@@ -24,7 +24,7 @@ constexpr Real split_gain = 1.05;
 // So many times as many tets are treated as were unfit at first, at most: a bound for what never
 // ends.
 constexpr std::size_t bound_factor = 6;
-constexpr std::size_t bound_least = 100;
+constexpr std::size_t min_bound = 100;
 
 class Repair {
 public:
@@ -35,7 +35,7 @@ public:
     void run() {
         auto& unfit = state_.unfit;
         work_.rewiring.changed.clear();
-        const std::size_t bound = bound_factor * unfit.size() + bound_least;
+        const std::size_t bound = bound_factor * unfit.size() + min_bound;
         for (std::size_t k = 0; k < unfit.size() && k < bound; ++k) {
             const std::uint32_t t = unfit[k];
             if (complex_.is_alive(Tet{t}) && quality_of(complex_, t) < quality_) {

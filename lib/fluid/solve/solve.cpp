@@ -19,7 +19,7 @@ namespace {
 constexpr double pressure_mass = 1e-8;
 constexpr double largest_residual = 1e-9; // above it the solution is refused
 constexpr double rounding = 1e-15;        // below it nothing is gained any more
-constexpr int most_refinements = 12;
+constexpr int max_refinements = 12;
 
 // Summed in order, so that it does not depend on how many lanes the processor has.
 double norm(const Eigen::VectorXd& vector) {
@@ -78,7 +78,7 @@ Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
     const Factors factors = factorise(system, dissection, numbers, pressure_mass, threads);
     Eigen::VectorXd residual = forces;
     report.residual = 1;
-    for (int k = 0; k <= most_refinements && factors.has_all_pivots; ++k) {
+    for (int k = 0; k <= max_refinements && factors.has_all_pivots; ++k) {
         solve_in_place(factors, residual);
         Eigen::VectorXd refined = solution + residual;
         residual = residual_of(system, forces, refined);

@@ -145,7 +145,7 @@ void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOpti
     constexpr double radians = std::numbers::pi / 180;
     std::vector<std::uint32_t> behind(mesh.vertex_bound,
                                       no_id); // the triangle beyond a wall's edge
-    const auto for_each_wall_edge = [&](auto visit) {
+    const auto for_each_boundary_edge = [&](auto visit) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 if (mesh.triangles[t].across[i] == no_id) {
@@ -154,10 +154,10 @@ void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOpti
             }
         }
     };
-    for_each_wall_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t) {
+    for_each_boundary_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t) {
         behind[mesh.triangles[t].nodes[from]] = t;
     });
-    for_each_wall_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
+    for_each_boundary_edge([&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
         const SnapshotTriangle& triangle = mesh.triangles[t];
         const std::uint32_t end = triangle.nodes[to];
         const Phase phase = triangle.phase;

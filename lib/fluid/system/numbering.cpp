@@ -7,8 +7,8 @@ namespace dsc {
 
 namespace {
 
-std::array<bool, 2> held_by_walls(const Point<double>& p, const Rectangle& domain,
-                                  const Walls& walls) {
+std::array<bool, 2> held_by_boundary(const Point<double>& p, const Rectangle& domain,
+                                     const Walls& walls) {
     const bool left = p.x() == domain.low.x();
     const bool right = p.x() == domain.high.x();
     const bool bottom = p.y() == domain.low.y();
@@ -68,7 +68,7 @@ FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& disse
             if (numbers.is_middle_of_phases[node] != 0) {
                 continue;
             }
-            const auto held = held_by_walls(mesh.nodes[node], mesh.domain, options.walls);
+            const auto held = held_by_boundary(mesh.nodes[node], mesh.domain, options.walls);
             for (std::size_t k = 0; k < 2; ++k) {
                 if (!held[k]) {
                     numbers.velocity[node][k] = numbers.size++;

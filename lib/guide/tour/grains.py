@@ -12,7 +12,7 @@ grains = 1 + np.hypot(*(centres[:, None] - seeds).T).argmin(axis=0)
 mesh = dsc.Mesh(empty.points, empty.triangles, grains)
 
 # Boundaries move by their curvature; a jagged one is smooth at once, so no corner is kept.
-sim = dsc.Simulation(mesh, edge_length=h, corner_degrees=180, topology="change")
+sim = dsc.Simulation(mesh, edge_length=h, feature_degrees=180, topology="change")
 events, left = [], []
 
 

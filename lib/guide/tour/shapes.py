@@ -28,7 +28,7 @@ coverage = dsc.initial_complex(square, cells, edge_length=h)
 seeds = np.random.default_rng(1).integers(0, 50, (12, 2))
 rows, columns = np.indices((50, 50))
 labels = ((rows[..., None] - seeds[:, 0])**2 + (columns[..., None] - seeds[:, 1])**2).argmin(axis=-1)
-grains = dsc.from_labels(labels, square, least_pixels=20, edge_length=h)
+grains = dsc.from_labels(labels, square, min_pixels=20, edge_length=h)
 error = max(abs(area - (labels == phase).mean()) for phase, area in grains.areas.items())
 print(f"{coast.input_report.dropped} speck left out, {islands.input_report.clipped} island cut off, "
       f"areas of grains kept to 1e-6: {error < 1e-6}")

@@ -66,7 +66,7 @@ class Interface:
     lengths: Floats
     arms: Integers
     is_junction: Flags
-    is_corner: Flags
+    is_feature: Flags
     is_on_boundary: Flags
     is_locked: Flags
     def __len__(self) -> int: ...
@@ -74,7 +74,7 @@ class Interface:
 class PhaseFigures(TypedDict):
     area: float
     perimeter: float
-    wall: float
+    boundary: float
     components: int
     holes: int
 
@@ -144,15 +144,15 @@ class Simulation:
         coarsening: str = "deviation",
         reading: str = "chords",
         deviation: float = 0.02,
-        corner_degrees: float = 40,
+        feature_degrees: float = 40,
         turn_degrees: float = 0,
         gap: float = 0,
-        carried_phases: Sequence[int] = (),
+        advected_phases: Sequence[int] = (),
         sub_step: float = 0.6,
         max_sub_steps: int = 10000,
         topology: str = "keep",
         contact: float = 0,
-        least_area: float = 0,
+        min_area: float = 0,
         follows_seams: bool = True,
         gives_back_area: bool = False,
         threads: int | None = None,
@@ -200,7 +200,7 @@ class Fluid:
 def from_labels(
     array: ArrayLike,
     domain: ArrayLike | None = None,
-    least_pixels: int = 0,
+    min_pixels: int = 0,
     *,
     edge_length: float,
     growth: float = 0,

@@ -142,11 +142,13 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
     return Mesh._made_of(corners, pieces, options)
 
 
-def from_labels(array, domain=None, least_pixels=0, **options):
+def from_labels(array, domain=None, min_pixels=0, **options):
     labels = arrays.whole_numbers(array, "labels", "(rows, columns)", 2)
     rows, columns = labels.shape
+    options = {_dsc.current_option(name): value for name, value in options.items()}
+    min_pixels = options.pop("min_pixels", min_pixels)
     corners = arrays.points(((0, 0), (columns, rows)) if domain is None else domain, "domain", 2)
-    return Mesh._made_of(corners, labels, arrays.count(least_pixels, "least_pixels"), options)
+    return Mesh._made_of(corners, labels, arrays.count(min_pixels, "min_pixels"), options)
 
 
 from_labels.__doc__ = f"""The mesh of an image whose pixels are numbers of phases.
@@ -161,7 +163,7 @@ array : (rows, columns) array_like of int
 domain : array_like (2, 2), optional
     The lower left corner of the rectangle over which the image is spread, and the upper right one.
     Without it, pixels are squares of side 1.
-least_pixels : int
+min_pixels : int
     Grains of fewer pixels go to the neighbour with which they share the longest border, as do those
     that are smaller than 0.2 edge lengths. `mesh.input_report` counts them as dropped.
 **options

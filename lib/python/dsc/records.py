@@ -127,7 +127,7 @@ class Interface:
     arms : (k, 4) array of int
         Edges that leave junctions: rows of junction, neighbour, phase on the left and phase on the
         right, counter-clockwise about each junction.
-    is_junction, is_corner, is_on_boundary, is_locked : (n,) arrays of bool
+    is_junction, is_feature, is_on_boundary, is_locked : (n,) arrays of bool
         No point of a single curve; kept, without a tangent; can only slide along the domain
         boundary; stays.
     """

@@ -275,7 +275,7 @@ Tank rising_bubble_2() {
                   .section = "fluid",
                   .defaults = {.topology = Topology::change,
                                .contact = 0.004,
-                               .least_area = 0.1,
+                               .min_area = 0.1,
                                .follows_seams = false}};
     tank.fluids = two_fluids({.density = 1000, .viscosity = 10}, {.density = 1, .viscosity = 0.1},
                              1.96, 0.98, slip_at_sides);

@@ -129,7 +129,7 @@ Setup voronoi_foam(const Parameters& p) {
 
 std::vector<Scene> network_scenes() {
     // Curvature flow smooths every corner at once: none is kept.
-    const InterfaceThresholds smooth{.corner_degrees = 180};
+    const InterfaceThresholds smooth{.feature_degrees = 180};
     return {
         {.name = "three-phases",
          .description = "a disc between two half-planes becomes a lens of angles of 120 degrees",

@@ -20,7 +20,7 @@ ExactShape drop_and_pool_at(double time) {
     ExactShape shape;
     Outline drop = circle(first_centre, drop_radius, fine);
     for (auto& point : drop) {
-        point = fall.carried(point, time);
+        point = fall.advected(point, time);
     }
     shape.outlines = {drop, {{0, 0}, {1, 0}, {1, fall.surface}, {0, fall.surface}}};
     shape.area = signed_area(shape.outlines);

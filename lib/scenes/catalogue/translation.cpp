@@ -30,7 +30,7 @@ Setup around(const Parameters& p) {
 // whatever their shape and size, so that none of them changes.
 Setup around_with_its_inside(const Parameters& p) {
     Setup setup = around(p);
-    setup.carried = {1};
+    setup.advected = {1};
     setup.thresholds = {{},
                         {.collapse_quality = 0, .smooth_quality = 0, .shortest = 0, .crowded = 0}};
     return setup;

@@ -33,17 +33,17 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
     constexpr Bounds any{-1e300, 1e300};
     FigureLimit limit{.figure = std::move(figure), .where = reader.where(key)};
     if (const auto bounds = reader.table_if_one(key)) {
-        bounds->allow({"least", "most"});
-        if (!bounds->has("least") && !bounds->has("most")) {
-            reader.refuse(key, "no limit", "least, most or both");
+        bounds->allow({"min", "max"});
+        if (!bounds->has("min") && !bounds->has("max")) {
+            reader.refuse(key, "no limit", "min, max or both");
         }
-        limit.least = bounds->number_or(limit.least, "least", any);
-        limit.most = bounds->number_or(limit.most, "most", any);
+        limit.least = bounds->number_or(limit.least, "min", any);
+        limit.most = bounds->number_or(limit.most, "max", any);
     } else {
         limit.most = reader.number(key, any);
     }
     if (!(limit.least <= limit.most)) {
-        reader.refuse(key, "bad value", "least, which is at most most");
+        reader.refuse(key, "bad value", "min, which is at most max");
     }
     return limit;
 }

@@ -16,9 +16,9 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr double most_edges_of_side = 1e5;
+constexpr double max_edges_of_side = 1e5;
 /// A gigabyte of them: a file from somebody else should not fill the memory by a wrong unit.
-constexpr double most_triangles_of_file = 2e7;
+constexpr double max_triangles_of_file = 2e7;
 
 /// The tables of the file, read and checked, and what they make of parameters.
 struct SceneParts {
@@ -30,7 +30,7 @@ struct SceneParts {
     std::vector<CurveSource> curves{};
     std::shared_ptr<const LabelImage> labels{};
     FlowSource flow{};
-    std::vector<Phase> carried{};
+    std::vector<Phase> advected{};
     std::optional<CurvatureMotion> curvature{};
     std::optional<Growth> growth{};
     std::optional<FluidMotion> fluid{};
@@ -41,7 +41,7 @@ struct SceneParts {
 
     [[nodiscard]] bool has_shape_and_motion_of_base() const {
         return base && shapes.empty() && curves.empty() && !labels && !flow && !curvature &&
-               !growth && !fluid && carried.empty();
+               !growth && !fluid && advected.empty();
     }
 };
 
@@ -67,7 +67,7 @@ Setup scheduled_by(const SceneParts& parts, const Parameters& p) {
 void check_size(const SceneParts& parts, double h, const Setup& setup) {
     const Point<double> size = setup.domain.high - setup.domain.low;
     const double triangles = 4 / std::sqrt(3.0) * size.prod() / (h * h);
-    require(size.maxCoeff() / h <= most_edges_of_side && triangles <= most_triangles_of_file,
+    require(size.maxCoeff() / h <= max_edges_of_side && triangles <= max_triangles_of_file,
             parts.where + ": edge length", h,
             "at most 100000 edges along a side, and 20000000 triangles");
 }
@@ -81,7 +81,7 @@ void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
         return;
     }
     setup.flow = parts.flow ? parts.flow(p) : Flow{};
-    setup.carried.clear();
+    setup.advected.clear();
     setup.curvature = parts.curvature;
     setup.growth = parts.growth;
     setup.fluid = parts.fluid;
@@ -105,7 +105,7 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         add_curves(parts.curves, p.h, setup);
     }
     set_motion(parts, p, setup);
-    setup.carried = parts.carried.empty() ? setup.carried : parts.carried;
+    setup.advected = parts.advected.empty() ? setup.advected : parts.advected;
     setup.measured = parts.measured ? parts.measured : setup.measured;
     if (parts.sizes) {
         setup.sizes = parts.sizes(p);
@@ -166,8 +166,8 @@ void read_motion(const TableReader& top, SceneParts& parts) {
 
 // What is asked of the mesh.
 void read_remeshing(const TableReader& top, SceneParts& parts) {
-    if (top.has("carried")) {
-        parts.carried = top.phases("carried");
+    if (top.has("advected")) {
+        parts.advected = top.phases("advected");
     }
     if (top.has("sizes")) {
         parts.sizes = read_sizes(top.table("sizes"));
@@ -193,7 +193,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     const toml::table table = parse_toml(text, path);
     const TableReader top(table, "", path);
     top.allow({"name", "scene", "domain", "shape", "curve", "flow", "curvature", "growth", "fluid",
-               "carried", "options", "sizes", "exact", "measure", "limits"});
+               "advected", "options", "sizes", "exact", "measure", "limits"});
     SceneFile file;
     SceneParts parts{.where = path.string(), .base = read_base(top, scenes)};
     file.scene = parts.base.value_or(Scene{});

@@ -5,13 +5,13 @@
 //     name = "my-scene"           # of result files; else the file's own
 //     scene = "swirl"             # begins as this scene of the catalogue; what follows replaces
 //                                 # its parts; its exact shape holds while shape and motion do
-//     carried = [phases]          # whose inside moves with the flow
+//     advected = [phases]          # whose inside moves with the flow
 //     [domain]                    # low = [0, 0], high = [1, 1]; clamped = true: the ends of
 //                                 # curves on the sides stay where they are
 //     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h):
 //                                 # inside an odd number of its closed lines is the phase
 //     [shape]                     # labels = "FILE": an image of phases, spread over the domain
-//                                 # (label_file.h); least_pixels = N: smaller grains go to their
+//                                 # (label_file.h); min_pixels = N: smaller grains go to their
 //                                 # neighbours
 //     [[curve]]                   # left, right: the phases beside it, and a source; in place of
 //                                 # shapes, where several phases meet

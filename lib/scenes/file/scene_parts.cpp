@@ -15,7 +15,7 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr int most_grains = 20'000;
+constexpr int max_grains = 20'000;
 constexpr double finest_grains = 1e-3;
 constexpr std::size_t longest_file_name = 64;
 constexpr Bounds multiplier{1e-9, 1e9};
@@ -115,11 +115,11 @@ ShapeSource read_shape(const TableReader& reader) {
 }
 
 std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader) {
-    reader.allow({"labels", "least_pixels"});
+    reader.allow({"labels", "min_pixels"});
     const std::filesystem::path path = reader.file().parent_path() / reader.text("labels");
     LabelImage image = read_labels(read_text_file(path), path.string());
-    if (reader.has("least_pixels")) {
-        image.least_pixels = static_cast<std::size_t>(reader.integer("least_pixels", 0, 1'000'000));
+    if (reader.has("min_pixels")) {
+        image.min_pixels = static_cast<std::size_t>(reader.integer("min_pixels", 0, 1'000'000));
     }
     return std::make_shared<const LabelImage>(std::move(image));
 }
@@ -195,13 +195,13 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
 }
 
 ExactSource read_exact(const TableReader& reader) {
-    const std::vector<std::string> kinds{"back", "carried"};
+    const std::vector<std::string> kinds{"back", "advected"};
     reader.allow(kinds);
     const std::string kind = reader.one_of(kinds);
     if (!reader.flag_or(true, kind)) {
         reader.refuse(kind, "bad value", "true, or no such key");
     }
-    return {kind == "carried", reader.where(kind)};
+    return {kind == "advected", reader.where(kind)};
 }
 
 void read_options(const TableReader& top, const std::vector<std::string>& keys,
@@ -228,7 +228,7 @@ void check_grains(const Scene& scene, const Parameters& parameters, const std::s
         return;
     }
     // Without a number, there are as many as fit: see catalogue/networks.cpp.
-    if (parameters.grains > most_grains ||
+    if (parameters.grains > max_grains ||
         (parameters.grains == 0 && parameters.h < finest_grains)) {
         throw InputError(
             {.what = "too many grains for a scene file",
@@ -269,21 +269,22 @@ void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setu
 
 void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
                double edge_length, Setup& setup) {
-    if (exact.is_carried ? setup.flow.empty() : !(period > 0)) {
-        throw InputError(
-            {.what = exact.is_carried ? "exact shapes can be carried only by a [flow]"
+    if (exact.is_advected ? setup.flow.empty() : !(period > 0)) {
+        throw InputError({.what = exact.is_advected
+                                      ? "exact shapes can be advected only by a [flow]"
                                       : "the flow has no period",
-             .where = exact.where,
-             .value = "true",
-             .allowed = exact.is_carried ? "with a [flow]" : "with a period above 0 in [options]"});
+                          .where = exact.where,
+                          .value = "true",
+                          .allowed = exact.is_advected ? "with a [flow]"
+                                                       : "with a period above 0 in [options]"});
     }
     setup.exact = [first = first_shapes(shapes, setup), flow = setup.flow, period, edge_length,
-                   is_carried = exact.is_carried](double time) {
+                   is_advected = exact.is_advected](double time) {
         const bool is_first =
             time == 0 ||
             (period > 0 && std::min(std::abs(time), std::abs(time - period)) <= same_time * period);
         ExactShape all;
-        if (!is_first && !is_carried) {
+        if (!is_first && !is_advected) {
             all.area = std::numeric_limits<double>::quiet_NaN(); // nobody knows
             return all;
         }

@@ -25,10 +25,11 @@ struct CurveSource {
 /// An [exact]. It is one of
 ///
 ///     back    = true       after the time `period` everything is where it was at the start
-///     carried = true       the shapes are carried along by the flow, which must keep areas; it is
+///     advected = true       the shapes are advected along by the flow, which must keep areas; it
+///     is
 ///                          followed closely, without any mesh
 struct ExactSource {
-    bool is_carried = false;
+    bool is_advected = false;
     std::string where; ///< for errors
 };
 

@@ -2,9 +2,11 @@
 #include "scenes/file/table_reader.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/renamed.h"
 #include "scenes/file/excerpt.h"
 
 #include <algorithm>
+#include <iostream>
 #include <sstream>
 
 namespace dsc::scenes {
@@ -65,13 +67,13 @@ std::string TableReader::place(const toml::source_region& source, const std::str
 }
 
 std::string TableReader::where(const std::string& key) const {
-    const toml::node* node = key.empty() ? nullptr : table_->get(key);
+    const toml::node* node = key.empty() ? nullptr : find(key);
     return place((node != nullptr ? node : table_)->source(), key);
 }
 
 void TableReader::refuse(const std::string& key, const std::string& what,
                          const std::string& allowed) const {
-    const toml::node* node = key.empty() ? nullptr : table_->get(key);
+    const toml::node* node = key.empty() ? nullptr : find(key);
     throw InputError({.what = what,
                       .where = where(key),
                       .value = node != nullptr ? as_written(*node) : "a table",
@@ -79,7 +81,7 @@ void TableReader::refuse(const std::string& key, const std::string& what,
 }
 
 const toml::node& TableReader::at(const std::string& key) const {
-    const toml::node* node = table_->get(key);
+    const toml::node* node = find(key);
     if (node == nullptr) {
         const std::string names = name_list(keys());
         throw InputError({.what = "key missing",
@@ -88,6 +90,12 @@ const toml::node& TableReader::at(const std::string& key) const {
                           .allowed = "with the key " + key});
     }
     return *node;
+}
+
+const toml::node* TableReader::find(const std::string& key) const {
+    const toml::node* node = table_->get(key);
+    const auto* renamed = std::ranges::find(renamed_options, key, &RenamedOption::now);
+    return node != nullptr || renamed == renamed_options.end() ? node : table_->get(renamed->old);
 }
 
 bool TableReader::is_list(const std::string& key) const { return at(key).is_array(); }
@@ -115,8 +123,8 @@ auto TableReader::converted(const std::string& key, Convert convert,
 template <class Convert>
 auto TableReader::list(const std::string& key, Convert convert, const std::string& allowed) const {
     const toml::array* array = at(key).as_array();
-    if (array == nullptr || array->size() > most_points) {
-        refuse(key, "bad value", "a list of " + allowed + ", at most " + to_text(most_points));
+    if (array == nullptr || array->size() > max_points) {
+        refuse(key, "bad value", "a list of " + allowed + ", at most " + to_text(max_points));
     }
     std::vector<typename decltype(convert(at(key)))::value_type> values;
     for (const toml::node& node : *array) {
@@ -243,7 +251,16 @@ std::string TableReader::setting(const std::string& key) const {
 void TableReader::allow(std::span<const std::string> keys) const {
     for (const auto& entry : *table_) {
         const std::string key(entry.first.str());
-        if (std::ranges::find(keys, key) == keys.end()) {
+        const auto is_allowed = [&](std::string_view one) {
+            return std::ranges::find(keys, one) != keys.end();
+        };
+        if (is_allowed(key)) {
+            continue;
+        }
+        const RenamedOption* renamed = renamed_option(key);
+        if (renamed != nullptr && is_allowed(renamed->now) && !table_->contains(renamed->now)) {
+            std::cerr << place(entry.first.source(), "") << ": " << renamed->warning() << '\n';
+        } else {
             throw InputError({.what = "unknown key",
                               .where = place(entry.first.source(), ""),
                               .value = quoted_excerpt(key),

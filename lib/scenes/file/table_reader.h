@@ -19,7 +19,7 @@ namespace dsc::scenes {
 
 /// No coordinate, length or count of points in a scene file is larger.
 inline constexpr double largest_coordinate = 1e6;
-inline constexpr std::size_t most_points = 1'000'000;
+inline constexpr std::size_t max_points = 1'000'000;
 inline constexpr int largest_phase = 1'000'000;
 
 /// A number with both bounds, which are included.
@@ -39,7 +39,7 @@ public:
     TableReader(const toml::table& table, std::string name, const std::filesystem::path& file)
         : table_(&table), name_(std::move(name)), file_(&file) {}
 
-    [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
+    [[nodiscard]] bool has(const std::string& key) const { return find(key) != nullptr; }
     [[nodiscard]] bool is_list(const std::string& key) const;
     [[nodiscard]] bool is_text(const std::string& key) const;
     [[nodiscard]] std::vector<std::string> keys() const;
@@ -101,6 +101,9 @@ private:
     template <class Convert>
     [[nodiscard]] auto list(const std::string& key, Convert convert,
                             const std::string& allowed) const;
+
+    /// The value of a key, also where the file has it under its name of release 0.1.
+    [[nodiscard]] const toml::node* find(const std::string& key) const;
 
     const toml::table* table_;
     std::string name_;

@@ -6,7 +6,7 @@
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"
 #include "measures/mesh_quality.h"
 #include "replay/replay.h"
 #include "scenes/output/submesh_map.h"

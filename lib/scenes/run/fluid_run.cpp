@@ -21,7 +21,7 @@ FluidMotion with_threads(FluidMotion motion, std::uint32_t threads) {
     return motion;
 }
 
-bool is_at_wall(const Complex<double>& complex, Phase phase) {
+bool is_at_boundary(const Complex<double>& complex, Phase phase) {
     const auto all = triangles(complex, phase);
     return all.empty() ||
            std::ranges::any_of(all, [&](Triangle t) { return is_boundary(complex, t); });
@@ -225,7 +225,7 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
 
 void FluidRun::look() {
     const FluidField& field = fluid_.field();
-    const bool is_closed = !is_at_wall(complex_, phase_);
+    const bool is_closed = !is_at_boundary(complex_, phase_);
     const CubicOutline outline = is_closed ? cubic_outline(complex_, phase_) : CubicOutline{};
     moments_.push_back(
         {.time = fluid_.time(),

@@ -45,7 +45,7 @@ Json phases_json(const PhaseReport& report) {
         list.push_back({{"phase", one.phase},
                         {"area", one.area},
                         {"perimeter", one.perimeter},
-                        {"wall", one.wall},
+                        {"boundary", one.boundary},
                         {"components", one.components},
                         {"holes", one.holes}});
     }

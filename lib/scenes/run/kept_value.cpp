@@ -12,7 +12,7 @@ template <class Real>
 KeptValue<Real>::KeptValue(Complex<Real>& complex, const RadialValue& value)
     : complex_(complex), value_(value),
       at_(complex.attributes.template add<Vertex, double>("value")) {
-    at_.set_field(true, OnInterface::carried);
+    at_.set_field(true, OnInterface::advected);
 }
 
 template <class Real>

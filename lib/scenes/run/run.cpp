@@ -358,7 +358,7 @@ void check_usage(const Scene& scene, const Setup& setup, const Parameters& param
         refuse("the reference keeps no checkpoints", "--strategy", "'reference'",
                "another strategy");
     }
-    if (is_reference && (setup.sees_interface() || !setup.carried.empty())) {
+    if (is_reference && (setup.sees_interface() || !setup.advected.empty())) {
         refuse("the reference moves the interface alone, by velocities", "--strategy",
                "'reference'", "another strategy for the scene " + scene.name);
     }

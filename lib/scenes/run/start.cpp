@@ -76,7 +76,7 @@ Options<Real> scene_options(const Setup& setup, const Parameters& parameters) {
     options.interface = parameters.interface;
     options.shuffle_seed = parameters.seed;
     options.sizes = sizes_in<Real>(sizes_of(setup, parameters));
-    options.carried_phases = setup.carried;
+    options.advected_phases = setup.advected;
     options.per_phase = setup.thresholds;
     if (setup.insertion) {
         options.insertion_function = *setup.insertion;
@@ -89,8 +89,8 @@ TopologyOptions<Real> topology_options(const Parameters& parameters) {
     TopologyOptions<Real> options;
     options.rule = parameters.topology;
     options.contact = static_cast<Real>(parameters.contact);
-    options.least_area = static_cast<Real>(parameters.least_area) *
-                         static_cast<Real>(parameters.h) * static_cast<Real>(parameters.h);
+    options.min_area = static_cast<Real>(parameters.min_area) * static_cast<Real>(parameters.h) *
+                       static_cast<Real>(parameters.h);
     options.follows_seams = parameters.follows_seams;
     options.gives_back_area = parameters.gives_back;
     return options;

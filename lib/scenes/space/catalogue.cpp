@@ -131,7 +131,7 @@ const std::vector<Scene>& catalogue() {
     Parameters returning = defaults;
     returning.period = 3;
     static const std::vector<Scene> scenes{
-        {"translation-3d", "a ball is carried along", "3D", defaults, translation},
+        {"translation-3d", "a ball is advected along", "3D", defaults, translation},
         {"rotation-3d", "a ball turns about an axis", "3D", defaults, rotation},
         {"slotted-sphere", "a ball with a slot turns about an axis", "3D", defaults, slotted},
         {"enright",

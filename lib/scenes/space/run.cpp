@@ -128,8 +128,8 @@ private:
         ++result_.steps;
         add(result_.sum, step);
         result_.tet_steps += complex_.tet_count();
-        result_.interface_vertices_most =
-            std::max(result_.interface_vertices_most, step.interface_vertices);
+        result_.interface_vertices_max =
+            std::max(result_.interface_vertices_max, step.interface_vertices);
         const dsc3::MeshQuality now = dsc3::mesh_quality(complex_);
         dsc3::MeshQuality& ever = result_.quality_ever;
         ever = {std::min(ever.worst, now.worst), std::min(ever.min_dihedral, now.min_dihedral),
@@ -164,7 +164,7 @@ private:
         archive.expect(hash_first == hash_first_,
                        "began with another mesh: a file of the scene or the program has changed");
         RunResult& r = result_;
-        archive(r.steps, r.tets_first, r.interface_vertices_most, r.volume_first, r.sd_rel_half,
+        archive(r.steps, r.tets_first, r.interface_vertices_max, r.volume_first, r.sd_rel_half,
                 r.inverted, r.tet_steps, r.step_us, r.cpu_s, r.wall_s);
         archive.expect(r.steps >= 0 && r.steps <= setup_.steps,
                        "has gone on for longer than this run");
@@ -262,7 +262,7 @@ std::string to_json(const RunResult& r) {
         {"tets_first", r.tets_first},
         {"tets_last", r.tets_last},
         {"interface_vertices_last", r.interface_vertices_last},
-        {"interface_vertices_most", r.interface_vertices_most},
+        {"interface_vertices_max", r.interface_vertices_max},
         {"volume_first", r.volume_first},
         {"volume_last", r.volume_last},
         {"volume_exact_last", r.volume_exact_last},

@@ -26,7 +26,7 @@ struct RunResult {
     std::uint32_t tets_first = 0;
     std::uint32_t tets_last = 0;
     std::uint32_t interface_vertices_last = 0;
-    std::uint32_t interface_vertices_most = 0;
+    std::uint32_t interface_vertices_max = 0;
     double volume_first = 0;
     double volume_last = 0;
     double volume_exact_last = 0;

@@ -13,7 +13,7 @@ namespace dsc {
 /// An error of the past, if only its rounding, enters the next step multiplied by the square of the
 /// ratio of both steps. Steps may become this many times longer before the past is left behind: two
 /// digits of it are lost by then.
-inline constexpr double most_growth = 10;
+inline constexpr double max_growth = 10;
 
 /// Where the velocity turns by more than 60 degrees from one step to the next, it jumps, as at the
 /// tip where two growing discs have met: a step that is built on the last one goes to the other
@@ -36,7 +36,7 @@ struct Past {
     }
     /// Whether a next step of this length may be built on this one.
     [[nodiscard]] bool serves(Real next_dt) const {
-        return dt > 0 && growth_after(next_dt) <= static_cast<Real>(most_growth);
+        return dt > 0 && growth_after(next_dt) <= static_cast<Real>(max_growth);
     }
     /// Whether this velocity is at more than 60 degrees to that step.
     [[nodiscard]] bool is_crossed_by(const Point<Real>& velocity) const {
@@ -54,7 +54,7 @@ template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
 /// The integrator, for `Options::custom_integrator`. Vertices without a past, or whose steps have
-/// become more than `most_growth` times longer since they had none, or whose velocity jumps, take a
+/// become more than `max_growth` times longer since they had none, or whose velocity jumps, take a
 /// midpoint step.
 /// Unstable for any step in flows that smooth the interface. Returns the same object each time:
 /// options that are made anew do not make a simulation forget.

@@ -22,18 +22,18 @@ std::vector<Simplex> active_simplices(Work<Real>& work) {
     std::vector<Simplex> found;
     const Complex<Real>& complex = work.complex;
     for (const std::uint32_t v : work.active) {
-        if (!complex.is_alive(Vertex{v}) || !gather(complex, work.submesh.region, v, work.ring) ||
-            !work.ring.owned) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, work.submesh.region, v, work.star) ||
+            !work.star.owned) {
             continue;
         }
         if constexpr (std::is_same_v<Simplex, Vertex>) {
             found.push_back(Vertex{v});
         } else {
-            for (std::uint32_t i = 0; i < work.ring.size; ++i) {
+            for (std::uint32_t i = 0; i < work.star.size; ++i) {
                 if constexpr (std::is_same_v<Simplex, Edge>) {
-                    found.push_back(complex.edge(prev(work.ring.corner[i])));
+                    found.push_back(complex.edge(prev(work.star.corner[i])));
                 } else {
-                    found.push_back(Triangle{triangle_of(work.ring.corner[i])});
+                    found.push_back(Triangle{triangle_of(work.star.corner[i])});
                 }
             }
         }
@@ -52,8 +52,8 @@ void activate_triangle(Work<Real>& work, Triangle triangle) {
 
 template <class Real>
 void smooth_interface(Work<Real>& work) {
-    const InterfaceSmoothingOptions options{.corner_degrees =
-                                                work.options.interface.corner_degrees};
+    const InterfaceSmoothingOptions options{.feature_degrees =
+                                                work.options.interface.feature_degrees};
     for (const std::uint32_t v : work.interface) {
         if (work.complex.is_alive(Vertex{v}) &&
             interface_smoothing(work.submesh, Vertex{v}, options) == Verdict::legal) {
@@ -145,12 +145,12 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
         {.name = "smoothing: Laplacian",
          .quality =
              [](const Complex<Real>& K, Vertex v) {
-                 Ring<Real> ring;
-                 if (!gather(K, Region{}, v.id, ring)) {
+                 Star<Real> star;
+                 if (!gather(K, Region{}, v.id, star)) {
                      return 1.0;
                  }
                  const auto squared =
-                     static_cast<double>(worst_quality_squared(ring, ring.x0, ring.y0));
+                     static_cast<double>(worst_quality_squared(star, star.x0, star.y0));
                  return std::sqrt(std::max(squared, 0.0));
              },
          .select = below<Vertex>(thresholds.smooth_quality),

@@ -30,7 +30,7 @@ template <class Real>
 BlockPartitioner<Real>::BlockPartitioner(const BlockOptions& options) : options_(options) {
     require(options.submeshes >= 1 && options.submeshes <= 65536, "submeshes", options.submeshes,
             "1 to 65536");
-    require(options.least_width >= 2, "least_width", options.least_width, "2 edge lengths or more");
+    require(options.min_width >= 2, "min_width", options.min_width, "2 edge lengths or more");
     require(options.recut >= 1, "recut", options.recut, "1 step or more");
 }
 
@@ -61,7 +61,7 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
     std::array<std::uint32_t, 2> blocks{};
     const auto wanted = static_cast<std::uint32_t>(std::sqrt(options_.submeshes));
     for (std::size_t k = 0; k < 2; ++k) {
-        const double most = (high[k] - low[k]) / (options_.least_width * input.edge_length);
+        const double most = (high[k] - low[k]) / (options_.min_width * input.edge_length);
         blocks[k] = std::max(1U, std::min(wanted, static_cast<std::uint32_t>(most)));
     }
     if (blocks[0] * blocks[1] < 2) {

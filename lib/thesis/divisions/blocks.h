@@ -11,7 +11,7 @@ namespace dsc {
 /// How blocks are cut.
 struct BlockOptions {
     std::uint32_t submeshes = 16; ///< of the first colour; rounded down to a square number
-    double least_width = 8;       ///< in edge lengths
+    double min_width = 8;         ///< in edge lengths
     std::uint32_t recut = 64;     ///< steps between two choices of the cuts
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// More vertices than this do not improve the counting method: sorting all vertices of a large mesh
 /// took longer than the steps between two divisions.
-constexpr std::size_t most_counted = 32768;
+constexpr std::size_t max_counted = 32768;
 
 template <class Real>
 double along(const Point<double>& normal, const VertexRecord<Real>& record) {
@@ -62,15 +62,15 @@ std::vector<double> closed(const std::vector<double>& inner) {
     return cuts;
 }
 
-bool is_thin(const std::vector<double>& red, double low, double high, double least_width) {
+bool is_thin(const std::vector<double>& red, double low, double high, double min_width) {
     double last = low;
     for (const double cut : red) {
-        if (cut - last < least_width) {
+        if (cut - last < min_width) {
             return true;
         }
         last = cut;
     }
-    return high - last < least_width;
+    return high - last < min_width;
 }
 
 // Cuts at each n-th of the weight (red), and halfway between (black).
@@ -92,7 +92,7 @@ Cuts shares(const std::vector<std::pair<double, float>>& sorted, double total,
 } // namespace
 
 Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
-                         double least_width) {
+                         double min_width) {
     if (positions.empty() || slabs < 2) {
         return {{-Region::infinity, Region::infinity}, {-Region::infinity, Region::infinity}};
     }
@@ -106,15 +106,15 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
     const double high = positions.back().first;
     for (std::uint32_t n = slabs; n > 1; --n) {
         const Cuts cuts = shares(positions, total, n);
-        if (!is_thin(cuts.red, low, high, least_width)) {
+        if (!is_thin(cuts.red, low, high, min_width)) {
             return {closed(cuts.red), closed(cuts.black)};
         }
     }
     return {closed({}), closed({})};
 }
 
-Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width) {
-    const double most = least_width > 0 ? (high - low) / least_width : slabs;
+Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double min_width) {
+    const double most = min_width > 0 ? (high - low) / min_width : slabs;
     const auto count = static_cast<std::uint32_t>(std::clamp<double>(most, 1, slabs));
     Cuts cuts;
     const double width = (high - low) / count;
@@ -182,7 +182,7 @@ SlabPartitioner<Real>::SlabPartitioner(const SlabOptions& options) : options_(op
     require(options.submeshes >= 1 && options.submeshes <= 65536, "submeshes", options.submeshes,
             "1 to 65536");
     require(std::isfinite(options.degrees), "degrees", options.degrees, "a finite angle");
-    require(options.least_width >= 2, "least_width", options.least_width, "2 edge lengths or more");
+    require(options.min_width >= 2, "min_width", options.min_width, "2 edge lengths or more");
     require(options.recut >= 1, "recut", options.recut, "1 step or more");
 }
 
@@ -229,7 +229,7 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
         options_.follow_shape
             ? principal_direction(input.complex, input.interface)
             : (upright ? Point<double>(0, 1) : Point<double>(std::cos(radians), std::sin(radians)));
-    const double least = options_.least_width * input.edge_length;
+    const double least = options_.min_width * input.edge_length;
     Cuts cuts;
     if (options_.slabbing == Slabbing::fixed) {
         find_extent(input.complex, normal);
@@ -245,7 +245,7 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
             // Every vertex stands for the two triangles that it owns on average, and in a large
             // mesh also for the vertices with neighbouring numbers, which lie near it.
             const auto& vertices = input.complex.vertices;
-            for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / most_counted) {
+            for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / max_counted) {
                 if ((vertices[v].flags & vertex_dead) == 0) {
                     places.emplace_back(along(normal, vertices[v]), 1.0F);
                 }

@@ -28,7 +28,7 @@ struct SlabOptions {
     double degrees = 0;
     bool follow_shape = false; ///< cuts across the direction of the shape, in place of `degrees`
     /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
-    double least_width = 8;
+    double min_width = 8;
     std::uint32_t recut = 64; ///< steps between two choices of the cuts
 };
 
@@ -38,13 +38,13 @@ struct Cuts {
     std::vector<double> black; ///< in the middle of the red slabs, by the same measure
 };
 
-/// Cuts such that each slab holds the same share of the weight, none thinner than `least_width`.
+/// Cuts such that each slab holds the same share of the weight, none thinner than `min_width`.
 /// Reorders the positions, each a pair of place and weight. O(n log n).
 Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::uint32_t slabs,
-                         double least_width);
+                         double min_width);
 
 /// Cuts of equal width over [low, high].
-Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double least_width);
+Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double min_width);
 
 /// The colour of slabs along the normal: slab i is [cuts[i], cuts[i + 1]), and the outer cuts are
 /// infinite. `round`: the first and the last form one submesh.

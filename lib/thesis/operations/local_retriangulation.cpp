@@ -119,10 +119,10 @@ Verdict make_plan(const Complex<Real>& complex, const Region& region, Triangle t
     bool on_interface = false;
     bool locked = false;
     for (std::uint32_t i = 0; i < 3; ++i) {
-        const Fan fan = inspect(complex, region, plan.vertex[i]);
-        plan.vanishes[i] = !fan.on_boundary;
-        owned = owned && fan.owned;
-        on_interface = on_interface || fan.interface_edges > 0;
+        const StarSummary summary = inspect(complex, region, plan.vertex[i]);
+        plan.vanishes[i] = !summary.on_boundary;
+        owned = owned && summary.owned;
+        on_interface = on_interface || summary.interface_edges > 0;
         locked = locked || (plan.vanishes[i] && complex.is_locked(Vertex{plan.vertex[i]}));
     }
     if (!owned) {
@@ -217,7 +217,7 @@ void write_triangles(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
 // The data of all old triangles are merged into the first, from which the new ones are then cut off
 // one by one.
 template <class Real>
-void carry_triangle_data(Complex<Real>& complex, const RetriangulationPlan<Real>& plan) {
+void copy_triangle_data(Complex<Real>& complex, const RetriangulationPlan<Real>& plan) {
     auto& attributes = complex.attributes;
     if (attributes.empty(SimplexKind::triangle)) {
         return;
@@ -245,7 +245,7 @@ void carry_triangle_data(Complex<Real>& complex, const RetriangulationPlan<Real>
 }
 
 template <class Real>
-void carry_edge_data(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
+void copy_edge_data(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
     if (complex.attributes.empty(SimplexKind::edge)) {
         return;
     }
@@ -308,8 +308,8 @@ RetriangulationResult detail::local_retriangulation(const Submesh<Real>& submesh
         return Edit{.kind = EditKind::retriangulate, .corner = corner_of(triangle.id, 0)};
     });
     write_triangles(complex, plan);
-    carry_triangle_data(complex, plan);
-    carry_edge_data(complex, plan);
+    copy_triangle_data(complex, plan);
+    copy_edge_data(complex, plan);
     // n - 2 new triangles: before, there were two more for each vertex inside the polygon.
     for (std::size_t k = plan.ears.triangles.size(); k < plan.region.size(); ++k) {
         complex.give_triangle(*submesh.pool, plan.region[k]);

@@ -22,18 +22,19 @@ namespace {
 
 // The tests common to every smoothing; `fan` is filled in if the vertex is in the submesh.
 template <class Real>
-Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex vertex, Fan& fan) {
+Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex vertex,
+                   StarSummary& summary) {
     if (!complex.is_alive(vertex)) {
         return Verdict::not_a_simplex;
     }
     if (!owns(complex, region, vertex.id)) {
         return Verdict::on_submesh_boundary;
     }
-    fan = inspect(complex, region, vertex.id);
-    if (fan.on_boundary) {
+    summary = inspect(complex, region, vertex.id);
+    if (summary.on_boundary) {
         return Verdict::on_boundary;
     }
-    return fan.owned ? Verdict::legal : Verdict::on_submesh_boundary;
+    return summary.owned ? Verdict::legal : Verdict::on_submesh_boundary;
 }
 
 // Moves the vertex to `target` if no star triangle inverts and the quality of the star rises.
@@ -75,11 +76,11 @@ std::uint32_t beyond(const Complex<Real>& complex, const Region& region, std::ui
                      std::uint32_t at, double cosine) {
     std::uint32_t count = 0;
     std::uint32_t other = no_id;
-    const Fan fan = for_each_interface_edge(complex, at, [&](std::uint32_t w) {
+    const StarSummary summary = for_each_interface_edge(complex, at, [&](std::uint32_t w) {
         ++count;
         other = w != from ? w : other;
     });
-    if (count != 2 || fan.on_boundary || !owns(complex, region, other)) {
+    if (count != 2 || summary.on_boundary || !owns(complex, region, other)) {
         return no_id;
     }
     const auto position = [&](std::uint32_t v) { return complex.position(Vertex{v}); };
@@ -98,7 +99,7 @@ template <class Real>
 inline constexpr Real equal_lengths = Real(1e-4);
 
 // Bisection halves the bracket each time, so this is enough for any curve.
-inline constexpr int most_bisections = 24;
+inline constexpr int max_bisections = 24;
 
 // The knot in (0, knots[2]) whose point is equally far from points[0] and points[2].
 template <class Real>
@@ -106,7 +107,7 @@ Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> 
     Real low = 0;
     Real high = knots[2];
     Real at = Real(0.5) * (knots[0] + knots[2]); // exact on a straight line
-    for (int i = 0; i < most_bisections; ++i) {
+    for (int i = 0; i < max_bisections; ++i) {
         const Point<Real> p = on_curve(points, knots, at);
         const Real to_near = (p - points[0]).norm();
         const Real to_far = (p - points[2]).norm();
@@ -127,12 +128,12 @@ Real equalising_knot(std::span<const Point<Real>> points, std::span<const Real> 
 template <class Real>
 Verdict detail::laplacian_smoothing(const Submesh<Real>& submesh, Vertex vertex) {
     const Complex<Real>& complex = submesh.complex;
-    Fan fan;
-    const Verdict verdict = check_star(complex, submesh.region, vertex, fan);
+    StarSummary summary;
+    const Verdict verdict = check_star(complex, submesh.region, vertex, summary);
     if (verdict != Verdict::legal) {
         return verdict;
     }
-    if (fan.interface_edges > 0) {
+    if (summary.interface_edges > 0) {
         return Verdict::on_interface;
     }
     if (complex.is_locked(vertex)) {
@@ -156,10 +157,10 @@ template <class Real>
 Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
                                     const InterfaceSmoothingOptions& options) {
     const Complex<Real>& complex = submesh.complex;
-    if (!(options.corner_degrees >= 0 && options.corner_degrees <= 180)) {
-        throw InputError({.what = "corner_degrees",
+    if (!(options.feature_degrees >= 0 && options.feature_degrees <= 180)) {
+        throw InputError({.what = "feature_degrees",
                           .where = "interface_smoothing",
-                          .value = to_text(options.corner_degrees),
+                          .value = to_text(options.feature_degrees),
                           .allowed = "0 to 180 degrees"});
     }
     if (!(options.step >= 0 && options.step <= 1)) {
@@ -168,18 +169,18 @@ Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
                           .value = to_text(options.step),
                           .allowed = "0 to 1"});
     }
-    Fan fan;
-    const Verdict verdict = check_star(complex, submesh.region, vertex, fan);
+    StarSummary summary;
+    const Verdict verdict = check_star(complex, submesh.region, vertex, summary);
     if (verdict != Verdict::legal) {
         return verdict;
     }
-    if (fan.interface_edges != 2) {
+    if (summary.interface_edges != 2) {
         return Verdict::on_interface;
     }
     std::array<std::uint32_t, 2> ends{};
     std::uint32_t count = 0;
     for_each_interface_edge(complex, vertex.id, [&](std::uint32_t w) { ends[count++] = w; });
-    const double cosine = std::cos(options.corner_degrees * std::numbers::pi / 180);
+    const double cosine = std::cos(options.feature_degrees * std::numbers::pi / 180);
     const Point<Real> here = complex.position(vertex);
     const auto position = [&](std::uint32_t v) { return complex.position(Vertex{v}); };
     if (turns_more<Real>(position(ends[0]), here, position(ends[1]), cosine)) {

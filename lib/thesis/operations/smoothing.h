@@ -13,7 +13,7 @@ namespace dsc {
 struct InterfaceSmoothingOptions {
     /// Degrees. If the interface turns by more, the vertex is a corner: it stays, and no curve is
     /// drawn through it.
-    double corner_degrees = 30;
+    double feature_degrees = 30;
     /// Share of the distance to the point of equal lengths, measured along the curve; 0 to 1.
     double step = 1;
 };

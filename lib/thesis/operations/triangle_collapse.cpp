@@ -45,12 +45,12 @@ public:
         Three corners{};
         bool owned = true;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            const Fan fan = inspect(complex_, region_, v_[i]);
-            on_boundary[i] = fan.on_boundary;
-            on_interface[i] = fan.interface_edges > 0;
-            owned = owned && fan.owned;
+            const StarSummary summary = inspect(complex_, region_, v_[i]);
+            on_boundary[i] = summary.on_boundary;
+            on_interface[i] = summary.interface_edges > 0;
+            owned = owned && summary.owned;
             locked[i] = complex_.is_locked(Vertex{v_[i]});
-            corners[i] = complex_.is_corner(Vertex{v_[i]});
+            corners[i] = complex_.is_feature(Vertex{v_[i]});
         }
         if (!pin(on_boundary)) {
             return {Verdict::on_boundary};

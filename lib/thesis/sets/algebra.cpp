@@ -52,7 +52,7 @@ struct FullBoundary {
     }
 };
 
-struct Star {
+struct StarRule {
     template <class Real>
     static void add(const Complex<Real>& complex, Vertex v, Collector& out) {
         out.vertices.push_back(v);
@@ -183,19 +183,19 @@ SimplexSet full_boundary(const Complex<Real>& complex, Triangle t) {
 
 template <class Real>
 SimplexSet star(const Complex<Real>& complex, Vertex v) {
-    return of_simplex<Star>(complex, v);
+    return of_simplex<StarRule>(complex, v);
 }
 template <class Real>
 SimplexSet star(const Complex<Real>& complex, Edge e) {
-    return of_simplex<Star>(complex, e);
+    return of_simplex<StarRule>(complex, e);
 }
 template <class Real>
 SimplexSet star(const Complex<Real>& complex, Triangle t) {
-    return of_simplex<Star>(complex, t);
+    return of_simplex<StarRule>(complex, t);
 }
 template <class Real>
 SimplexSet star(const Complex<Real>& complex, const SimplexSet& set) {
-    return of_set<Star>(complex, set);
+    return of_set<StarRule>(complex, set);
 }
 
 template <class Real>

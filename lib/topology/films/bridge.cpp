@@ -14,8 +14,8 @@ constexpr int end_of_filament = 6;
 /// Cosine of the angle between the directions of two edges that face each other.
 constexpr double facing = -0.3;
 /// Two sheets approach each other if they come closer by this share of the way that they move.
-/// Rounding, and the curvature of the flow, make less than that in films that are carried along.
-constexpr double least_approach = 0.01;
+/// Rounding, and the curvature of the flow, make less than that in films that are advected.
+constexpr double min_approach = 0.01;
 
 template <class Real>
 bool is_apart(const Complex<Real>& complex, Corner one, Corner other) {
@@ -94,21 +94,21 @@ bool is_squeezed(const std::array<Point<Real>, 4>& then, const std::array<Point<
     const Real area_now = quadrilateral(now);
     const Real area_then = quadrilateral(then);
     const Real losing = area_then - area_now;
-    // What follows asks for 2 losing > closing > least_approach * farthest * length, and the mean
+    // What follows asks for 2 losing > closing > min_approach * farthest * length, and the mean
     // length is at least half of the longer one. In a flow that keeps areas, where a filament has
     // many such films, this ends nearly all of them. Not squared: float has no squares of areas as
     // small as those of a fine mesh in a small unit.
     const Real farthest = std::sqrt(farthest_squared);
     const Real longer =
         std::sqrt(std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm()));
-    constexpr Real least = static_cast<Real>(least_approach / 4 * 0.99); // 0.99: more than rounding
+    constexpr Real least = static_cast<Real>(min_approach / 4 * 0.99); // 0.99: more than rounding
     if (!(losing > least * farthest * longer)) {
         return false;
     }
     const Real length_now = ((now[1] - now[0]).norm() + (now[3] - now[2]).norm()) / 2;
     const Real length_then = ((then[1] - then[0]).norm() + (then[3] - then[2]).norm()) / 2;
     const Real closing = area_then - area_now * length_then / length_now;
-    return closing > static_cast<Real>(least_approach) * farthest * length_now &&
+    return closing > static_cast<Real>(min_approach) * farthest * length_now &&
            2 * losing > closing;
 }
 

@@ -25,7 +25,7 @@ template <class Real>
 struct Way {
     bool arrives = false;
     bool on_seam = false;
-    bool on_wall = false;
+    bool on_boundary = false;
     Real length = 0; ///< between the two half-edges
 };
 
@@ -45,7 +45,7 @@ Way<Real> way_along(const TopologyWork<Real>& work, Corner one, Corner other, Re
         if (c == one) {
             return way;
         }
-        way.on_wall = way.on_wall || is_border(complex.twin(c));
+        way.on_boundary = way.on_boundary || is_border(complex.twin(c));
         way.length += direction(complex, c).norm();
     }
     return way;
@@ -109,7 +109,7 @@ template <class Real>
 Real wide_contact_at(const TopologyWork<Real>& work, Corner sheet) {
     const Complex<Real>& complex = work.complex;
     if (is_border(complex.twin(sheet))) {
-        return 0; // the wall is no sheet
+        return 0; // the domain boundary is no sheet
     }
     const auto rule = rule_of(work.options, work.edge_length, complex.phase_at(sheet),
                               complex.phase_at(complex.twin(sheet)));
@@ -170,9 +170,9 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
                                              : std::numeric_limits<double>::infinity();
         (distances < filament_end ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
-        // What stands on a wall is no end of a seam, though a film has opened there.
+        // What stands on the domain boundary is no end of a seam, though a film has opened there.
         connection.is_seam =
-            connection.is_seam || (distances < end_of_seam && way.on_seam && !way.on_wall);
+            connection.is_seam || (distances < end_of_seam && way.on_seam && !way.on_boundary);
     }
     connection.is_beside_end = connection.is_beside_end && !connection.is_near;
     return connection;

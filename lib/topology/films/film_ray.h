@@ -12,7 +12,7 @@ namespace dsc {
 template <class Real>
 struct FilmRay {
     Corner opposite = no_id; ///< the half-edge it met, with the film on its left; no_id: none
-    Corner wall = no_id;     ///< the same on the domain boundary, if it has met that instead
+    Corner boundary = no_id; ///< the same on the domain boundary, if it has met that instead
     Real thickness = 0;      ///< from the start to there
     Point<Real> middle;      ///< halfway
 };
@@ -23,7 +23,7 @@ struct FilmRay {
 template <class Real, class Visit>
 [[nodiscard]] FilmRay<Real> cross_film(const Complex<Real>& complex, Corner sheet, Real longest,
                                        Visit visit) {
-    constexpr int most_triangles = 1024; // rounding must not send it in circles
+    constexpr int max_triangles = 1024; // rounding must not send it in circles
     const Point<Real> along = direction(complex, sheet);
     const Point<Real> start =
         complex.position(Vertex{complex.vertex(next(sheet))}) + along / Real(2);
@@ -36,7 +36,7 @@ template <class Real, class Visit>
     };
     Corner entered = sheet;
     Real from = 0;
-    for (int i = 0; i < most_triangles; ++i) {
+    for (int i = 0; i < max_triangles; ++i) {
         // The edge that it leaves through lies opposite to one end of the edge that it came
         // through.
         const Corner out = cross<Real>(way, to_vertex(entered)) > 0 ? next(entered) : prev(entered);

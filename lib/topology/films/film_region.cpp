@@ -17,7 +17,7 @@ namespace {
 constexpr int smoothing_rounds = 4;
 /// A vertex is not moved where a triangle would fall below this area doubled over its longest edge
 /// squared, which is 0.87 at most.
-constexpr double least_share = 0.2;
+constexpr double min_share = 0.2;
 /// A pocket shares more of its outline than this with the region about it. The phase beyond a neck
 /// shares less.
 constexpr double pocket_share = 1.0 / 3;
@@ -46,9 +46,9 @@ Corner longest_on_ray(const TopologyWork<Real>& work, Corner sheet, Real contact
 
 template <class Real>
 bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, Real contact) {
-    constexpr int most_splits = 16;
+    constexpr int max_splits = 16;
     Complex<Real>& complex = work.complex;
-    for (int splits = 0; splits < most_splits; ++splits) {
+    for (int splits = 0; splits < max_splits; ++splits) {
         const Corner edge =
             longest_on_ray(work, complex.find_half_edge(sheet[0], sheet[1]), contact);
         if (edge == no_id) {
@@ -88,11 +88,11 @@ void FilmRegion<Real>::add_ray(Corner sheet) {
         cross_film(complex, sheet, contact_, [&](Triangle t, Real from, Real to) {
             crossed.push_back({t, (from + to) / 2});
         });
-    if (ray.opposite == no_id && ray.wall == no_id) {
+    if (ray.opposite == no_id && ray.boundary == no_id) {
         return;
     }
     const Phase one = complex.phase_at(complex.twin(sheet));
-    const Phase other = ray.wall == no_id ? complex.phase_at(complex.twin(ray.opposite)) : one;
+    const Phase other = ray.boundary == no_id ? complex.phase_at(complex.twin(ray.opposite)) : one;
     for (const auto& [t, middle] : crossed) {
         offer(t, one, middle);
         offer(t, other, ray.thickness - middle);
@@ -145,7 +145,7 @@ bool FilmRegion<Real>::is_small_piece(Triangle start) {
     Real shared = 0; // with the region
     for (std::size_t i = 0; i < piece_.size(); ++i) {
         doubled += doubled_area(complex, piece_[i]);
-        if (piece_.size() > most_of_piece) {
+        if (piece_.size() > max_share_of_piece) {
             return false;
         }
         for (std::uint32_t k = 0; k < 3; ++k) {
@@ -162,7 +162,7 @@ bool FilmRegion<Real>::is_small_piece(Triangle start) {
     }
     // Of a disc this is the diameter, of a strip twice its thickness.
     const Real width = 2 * doubled / perimeter;
-    return doubled / 2 < least_area(work_) ||
+    return doubled / 2 < min_area(work_) ||
            (width < contact_ && shared > static_cast<Real>(pocket_share) * perimeter);
 }
 
@@ -209,7 +209,7 @@ void FilmRegion<Real>::straighten(Vertex v) {
     }
     const Point<Real> place = sum / Real(2);
     const Real share = worst_share(v, place);
-    if (share >= static_cast<Real>(least_share) || share > worst_share(v, complex.position(v))) {
+    if (share >= static_cast<Real>(min_share) || share > worst_share(v, complex.position(v))) {
         if (share > 0 && is_all_positive(v, place)) {
             rewire::move(complex, complex.journal, v.id, place.x(), place.y(),
                          MoveReason::smoothing);

@@ -25,8 +25,8 @@ public:
     explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {
         const Real contact =
             std::min(largest_contact(work.options, work.edge_length),
-                     static_cast<Real>(most_contact_of_triangles) * work.edge_length);
-        most_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
+                     static_cast<Real>(max_contact_of_triangles) * work.edge_length);
+        max_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
     }
 
     void run(std::span<const Candidate> candidates, std::span<const Candidate> notable) {
@@ -120,7 +120,7 @@ private:
         const Real doubled = cross<Real>(a, b);
         const Real longest =
             std::max(std::max(a.squaredNorm(), b.squaredNorm()), (a + b).squaredNorm());
-        return doubled * doubled > most_squared_ * longest;
+        return doubled * doubled > max_squared_ * longest;
     }
 
     // --- events -------------------------------------------------------------------------------
@@ -152,7 +152,7 @@ private:
             const bool is_ahead =
                 ahead.doubled > 0 && !(behind.doubled > 0 && behind.doubled < ahead.doubled);
             const Area& smaller = is_ahead ? ahead : behind;
-            if (smaller.doubled > 0 && smaller.doubled / 2 < least_area(work_)) {
+            if (smaller.doubled > 0 && smaller.doubled / 2 < min_area(work_)) {
                 pocket_ = smaller.at;
                 return smaller.on_seam
                            ? EventKind::widen
@@ -183,7 +183,7 @@ private:
         const Point<Real> way = direction(complex_, c);
         area.doubled += cross<Real>(from, way);
         area.perimeter += way.norm();
-        if (area.at.size() < most_of_piece) {
+        if (area.at.size() < max_share_of_piece) {
             area.at.push_back(Triangle{triangle_of(c)});
         }
         area.on_seam = area.on_seam || is_seam(v);
@@ -248,7 +248,7 @@ private:
     double give_piece(Triangle start, Phase to) {
         double area = 0;
         gather_piece(complex_, start, piece_);
-        if (piece_.size() > most_of_piece) {
+        if (piece_.size() > max_share_of_piece) {
             return 0;
         }
         for (const Triangle t : piece_) {
@@ -336,7 +336,7 @@ private:
         for (const Triangle t : piece_) {
             doubled += doubled_area(complex_, t);
         }
-        return piece_.size() <= most_of_piece && doubled / 2 < least_area(work_);
+        return piece_.size() <= max_share_of_piece && doubled / 2 < min_area(work_);
     }
 
     // Closes a triangle that has only one open side left: it goes to the phase beyond its longest
@@ -387,7 +387,7 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Real most_squared_; ///< of the contact distances
+    Real max_squared_; ///< of the contact distances
     std::vector<Triangle> near_;
     double closed_ = 0;
     std::vector<Triangle> piece_;

@@ -16,9 +16,9 @@ namespace dsc {
 
 namespace {
 
-/// A vertex lands on the wall from below this height, in edge lengths.
+/// A vertex lands on the domain boundary from below this height, in edge lengths.
 constexpr double landing_height = 0.15;
-/// It lands on a vertex of the wall that is nearer than this share of the edge there, or of the
+/// It lands on a boundary vertex that is nearer than this share of the edge there, or of the
 /// edge length where that is less.
 constexpr double landing_share = 0.25;
 /// Up to this far along the curve from its end, in edge lengths, others land first.
@@ -40,7 +40,7 @@ public:
         for (const auto& candidate : candidates_) {
             const Vertex v{candidate.vertex};
             take(v.id);
-            if (complex_.is_alive(v) && (is_on_wall(v.id) || is_junction(v.id))) {
+            if (complex_.is_alive(v) && (is_on_boundary(v.id) || is_junction(v.id))) {
                 for_each_corner(complex_, v, [&](Corner c) {
                     if (is_outline(complex_, prev(c))) {
                         take(complex_.vertex(next(c)));
@@ -67,11 +67,11 @@ private:
                find_corner(complex_, Vertex{v}, [&](Corner c) {
                    const std::uint32_t end = complex_.vertex(next(c));
                    return is_sheet(complex_, prev(c)) && is_blocked(work_, end) &&
-                          (is_on_wall(end) || is_junction(end));
+                          (is_on_boundary(end) || is_junction(end));
                }) != no_id;
     }
 
-    [[nodiscard]] bool is_on_wall(std::uint32_t v) const {
+    [[nodiscard]] bool is_on_boundary(std::uint32_t v) const {
         return find_corner(complex_, Vertex{v}, [&](Corner c) {
                    return is_border(complex_.twin(next(c))) || is_border(complex_.twin(prev(c)));
                }) != no_id;
@@ -92,14 +92,14 @@ private:
         }
     }
 
-    // The vertices along the curve from the end of the half-edge to before the wall, if that is
-    // near.
+    // The vertices along the curve from the end of the half-edge to before the domain boundary, if
+    // that is near.
     [[nodiscard]] std::vector<std::uint32_t> way_to_end(Corner c) const {
         std::vector<std::uint32_t> way;
         Real length = direction(complex_, c).norm();
         while (length < static_cast<Real>(landing_reach) * work_.edge_length) {
             const std::uint32_t u = complex_.vertex(prev(c));
-            if (is_on_wall(u)) {
+            if (is_on_boundary(u)) {
                 return way;
             }
             if (std::ranges::find(way, u) != way.end()) {
@@ -160,7 +160,7 @@ private:
     }
 
     // A side of the thin triangle that is left between two edges of the curve where the vertex is
-    // above an edge of the wall at its end; no_id if there is none.
+    // above a boundary edge at its end; no_id if there is none.
     [[nodiscard]] Corner ear_at(std::uint32_t v) const {
         Corner found = no_id;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -189,20 +189,20 @@ private:
                 neighbours.emplace_back((at(w) - at(v)).squaredNorm(), at(w).x(), at(w).y(), w);
             }
         });
-        if (neighbours.size() != 2 || is_on_wall(v) || !(contact_at(work_, curve) > 0)) {
+        if (neighbours.size() != 2 || is_on_boundary(v) || !(contact_at(work_, curve) > 0)) {
             return no_id;
         }
         std::ranges::sort(neighbours); // the nearer one first
         for (const std::size_t i : {0U, 1U}) {
             const std::uint32_t end = std::get<3>(neighbours[i]);
-            if ((is_on_wall(end) || is_junction(end)) && land_beside(v, end)) {
+            if ((is_on_boundary(end) || is_junction(end)) && land_beside(v, end)) {
                 return std::get<3>(neighbours[1 - i]);
             }
         }
         return no_id;
     }
 
-    // Of the edges of the wall at the end of a curve, the one above which the vertex is.
+    // Of the boundary edges at the end of a curve, the one above which the vertex is.
     struct Below {
         Corner edge = no_id; ///< the corner at the vertex
         std::uint32_t other = no_id;
@@ -235,8 +235,8 @@ private:
         return curves > 2;
     }
 
-    // Above the wall, or the other curves, that leave the end of a curve towards the vertex; or its
-    // distance from the end.
+    // Above the domain boundary, or the other curves, that leave the end of a curve towards the
+    // vertex; or its distance from the end.
     [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
         const Point<Real> from = at(v) - at(end);
         Real lowest = from.norm();
@@ -253,9 +253,10 @@ private:
         return lowest;
     }
 
-    // Removes vertices of the film from between the edge and the wall, as far as they may go.
+    // Removes vertices of the film from between the edge and the domain boundary, as far as they
+    // may go.
     void make_way(std::uint32_t v, std::uint32_t end) {
-        std::vector<std::uint32_t> link; // from wall to wall
+        std::vector<std::uint32_t> link; // from side to side
         for_each_corner(complex_, Vertex{end}, [&](Corner c) {
             link.push_back(complex_.vertex(next(c)));
             if (is_border(complex_.twin(next(c)))) {
@@ -277,7 +278,7 @@ private:
         if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
             return false;
         }
-        if (below.edge == no_id && is_on_wall(end)) {
+        if (below.edge == no_id && is_on_boundary(end)) {
             make_way(v, end);
             below = find_below(v, end);
         }
@@ -315,8 +316,8 @@ private:
         return has_landed;
     }
 
-    // A vertex of the wall below the one that lands, or a new one there; only if it lies exactly
-    // on the wall, as beside it the domain would have another corner.
+    // A boundary vertex below the one that lands, or a new one there; only if it lies exactly
+    // on the domain boundary, as beside it the domain would have another corner.
     std::uint32_t foot_of(const Below& below, std::uint32_t end) {
         if (below.share < 1 - below.near) {
             const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
@@ -330,7 +331,7 @@ private:
         return below.other;
     }
 
-    // The triangle between the curve and the wall, as far as `target`.
+    // The triangle between the curve and the domain boundary, as far as `target`.
     double give_wedge(std::uint32_t v, std::uint32_t end, std::uint32_t target, Phase taker) {
         const Corner wedge = find_corner(complex_, Vertex{v}, [&](Corner c) {
             const std::uint32_t from = complex_.vertex(next(c));

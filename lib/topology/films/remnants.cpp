@@ -14,14 +14,14 @@ namespace {
 
 /// Small pieces have no more triangles than this per squared edge length of the least area, unless
 /// their edges are very short.
-constexpr std::size_t most_per_area = most_of_piece;
+constexpr std::size_t max_per_area = max_share_of_piece;
 
 template <class Real>
 class Remnants {
 public:
     explicit Remnants(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), least_area_(least_area(work)),
-          most_triangles_(most_of(least_area_ / (work.edge_length * work.edge_length))) {}
+        : work_(work), complex_(work.complex), min_area_(min_area(work)),
+          max_triangles_(most_of(min_area_ / (work.edge_length * work.edge_length))) {}
 
     void run(std::span<const Candidate> candidates) {
         for (const Corner c : outlines_at(candidates)) {
@@ -35,7 +35,7 @@ private:
     // `area`: the least one, in squared edge lengths.
     static std::size_t most_of(Real area) {
         constexpr Real largest = 1e6;
-        return static_cast<std::size_t>(static_cast<Real>(most_per_area) *
+        return static_cast<std::size_t>(static_cast<Real>(max_per_area) *
                                         std::clamp(area, Real(1), largest));
     }
 
@@ -87,7 +87,7 @@ private:
                     add(t);
                 }
             }
-            if (doubled / 2 >= least_area_) {
+            if (doubled / 2 >= min_area_) {
                 return false;
             }
         }
@@ -107,7 +107,7 @@ private:
         Real doubled = 0;
         for (std::size_t i = 0; i < piece_.size(); ++i) {
             doubled += doubled_area(complex_, piece_[i]);
-            if (doubled / 2 >= least_area_ || piece_.size() > most_triangles_) {
+            if (doubled / 2 >= min_area_ || piece_.size() > max_triangles_) {
                 return false;
             }
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -192,8 +192,8 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Real least_area_;
-    std::size_t most_triangles_;
+    Real min_area_;
+    std::size_t max_triangles_;
     std::vector<Corner> outline_;
     std::vector<Triangle> piece_;                             ///< the triangles of the last one
     std::size_t edges_ = 0;                                   ///< of all its outlines

@@ -14,8 +14,9 @@ namespace dsc {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-/// A curve lies along a wall if the angle between them is below this, in radians: 20 degrees.
-constexpr double along_wall = 0.349;
+/// A curve lies along a side of the domain if the angle between them is below this, in radians: 20
+/// degrees.
+constexpr double along_boundary = 0.349;
 
 template <class Real>
 class JunctionSplit {
@@ -33,7 +34,7 @@ public:
         }
     }
 
-    // The end of a curve moves from the corner along the wall beside sector k.
+    // The end of a curve moves from the corner along the domain boundary beside sector k.
     void pass_corner(Phase lost) {
         if (is_single_in_corner()) {
             const std::size_t k = sectors_[0].phase == lost ? 0 : 1;
@@ -42,10 +43,10 @@ public:
             }
         }
     }
-    void leave_along_wall() {
+    void leave_along_boundary() {
         if (is_single_in_corner()) {
             const std::size_t k = sectors_[0].angle <= sectors_[1].angle ? 0 : 1;
-            if (sectors_[k].angle < along_wall && gain_of(k) < -energy_tie) {
+            if (sectors_[k].angle < along_boundary && gain_of(k) < -energy_tie) {
                 (void)leave(k);
             }
         }
@@ -90,10 +91,10 @@ private:
 
     [[nodiscard]] double gain_of(std::size_t k) const {
         const Phase phase = sectors_[k].phase;
-        if (sectors_.is_beside_wall(k)) {
+        if (sectors_.is_beside_boundary(k)) {
             const Phase other = (k == 0 ? sectors_.after(k) : sectors_.before(k)).phase;
             return may_change(work_, phase, other)
-                       ? energy_along_wall(work_, phase, other, sectors_[k].angle)
+                       ? energy_along_boundary(work_, phase, other, sectors_[k].angle)
                        : never;
         }
         const Phase before = sectors_.before(k).phase;
@@ -103,11 +104,11 @@ private:
                    : never;
     }
 
-    // Opposite ones of four go together. So do the two beside the wall if there are three: they and
-    // their mirror images are four.
+    // Opposite ones of four go together. So do the two beside the domain boundary if there are
+    // three: they and their mirror images are four.
     [[nodiscard]] std::size_t partner(std::size_t k) const {
         const std::size_t n = sectors_.size();
-        if (sectors_.is_on_wall) {
+        if (sectors_.is_on_boundary) {
             return n == 3 ? n - 1 - k : k;
         }
         return n == 4 ? (k + 2) % 4 : k;
@@ -149,9 +150,9 @@ private:
                     .y = static_cast<double>(place.y()),
                     .lost = sectors_[k].phase};
         const Sector<Real> sector = sectors_[k];
-        if (sectors_.is_beside_wall(k)) {
+        if (sectors_.is_beside_boundary(k)) {
             const Phase taker = (k == 0 ? sectors_.after(k) : sectors_.before(k)).phase;
-            const Corner only = open_on_wall(complex_, v_, sector, k == 0, length_);
+            const Corner only = open_on_boundary(complex_, v_, sector, k == 0, length_);
             if (only == no_id) {
                 return false;
             }
@@ -191,7 +192,7 @@ template <class Real>
 void split_junction(TopologyWork<Real>& work, Vertex v) {
     JunctionSplit<Real> vertex(work, v);
     vertex.run();
-    vertex.leave_along_wall();
+    vertex.leave_along_boundary();
 }
 
 template <class Real>

@@ -17,7 +17,7 @@ namespace {
 /// Two junctions closer than this times the edge length may exchange their neighbours.
 constexpr double exchange_length = 0.15;
 /// A bound for what never comes to rest; two or three are enough.
-constexpr int most_rounds = 8;
+constexpr int max_rounds = 8;
 
 // By their places, which are the same for every way to divide the mesh; each once.
 template <class Real>
@@ -65,9 +65,9 @@ private:
         find_sectors(complex_, v, here_);
         if (here_.size() > here_.stable() || (here_.is_at_corner && here_.size() == 2)) {
             split_junction(work_, v);
-        } else if (here_.is_on_wall && here_.size() == 2) {
-            exchange_on_wall(v);
-        } else if (!here_.is_on_wall && here_.size() == 3) {
+        } else if (here_.is_on_boundary && here_.size() == 2) {
+            flip_on_boundary(v);
+        } else if (!here_.is_on_boundary && here_.size() == 3) {
             exchange(v);
         }
     }
@@ -93,7 +93,7 @@ private:
         if (!left.is_valid() && complex_.triangle_count() != size) {
             const Point<Real> ray = here_[0].ray;
             find_sectors(complex_, v, here_);
-            if (!here_.is_on_wall) {
+            if (!here_.is_on_boundary) {
                 const auto start = std::ranges::find(here_.list, ray, &Sector<Real>::ray);
                 std::rotate(here_.list.begin(), start, here_.list.end());
             }
@@ -112,9 +112,9 @@ private:
                 continue;
             }
             find_sectors(complex_, w, there_);
-            const bool wants = there_.is_on_wall ? there_.size() == 2 && wants_to_wall(i)
-                                                 : there_.size() == 3 && wants_exchange(i);
-            if (wants && merge(v, w, !there_.is_on_wall)) {
+            const bool wants = there_.is_on_boundary ? there_.size() == 2 && wants_to_boundary(i)
+                                                     : there_.size() == 3 && wants_exchange(i);
+            if (wants && merge(v, w, !there_.is_on_boundary)) {
                 return;
             }
         }
@@ -153,10 +153,11 @@ private:
         return energy_inwards(work_, before.phase, sector.phase, after.phase, angle);
     }
 
-    // --- at the wall --------------------------------------------------------------------------
-    // The edge of ray i leads to the wall, where the sectors on its two sides are; the third one is
-    // to reach the wall between them.
-    bool wants_to_wall(std::size_t i) const {
+    // --- at the domain boundary
+    // -------------------------------------------------------------------------- The edge of ray i
+    // leads to the domain boundary, where the sectors on its two sides are; the third one is to
+    // reach the domain boundary between them.
+    bool wants_to_boundary(std::size_t i) const {
         const Sector<Real>& first = here_[i];
         const Sector<Real>& last = here_.before(i);
         const Sector<Real>& beyond = here_.after(i);
@@ -172,12 +173,12 @@ private:
 
     [[nodiscard]] double along(const Sector<Real>& sector, const Sector<Real>& neighbour,
                                double angle) const {
-        return energy_along_wall(work_, sector.phase, neighbour.phase, angle);
+        return energy_along_boundary(work_, sector.phase, neighbour.phase, angle);
     }
 
-    // To both sides of the wall: another end of a curve, or a corner. A vertex of neither kind is
-    // in the way and vanishes.
-    void exchange_on_wall(Vertex v) {
+    // To both sides of the domain boundary: another end of a curve, or a corner. A vertex of
+    // neither kind is in the way and vanishes.
+    void flip_on_boundary(Vertex v) {
         for (const bool is_first : {true, false}) {
             const Corner at = is_first ? here_[0].first : last_corner(here_[1]);
             const Vertex w{complex_.vertex(is_first ? next(at) : prev(at))};
@@ -199,7 +200,8 @@ private:
                     return;
                 }
             } else if (there_.size() == 2 &&
-                       (is_first ? wants_off_wall(there_, here_) : wants_off_wall(here_, there_)) &&
+                       (is_first ? wants_off_boundary(there_, here_)
+                                 : wants_off_boundary(here_, there_)) &&
                        merge(v, w, true)) {
                 return;
             }
@@ -214,9 +216,9 @@ private:
         return c;
     }
 
-    // `one` comes first on the wall, counter-clockwise: between its second sector and the first one
-    // of `other` is the one that is to leave the wall.
-    bool wants_off_wall(const Sectors<Real>& one, const Sectors<Real>& other) const {
+    // `one` comes first on the domain boundary, counter-clockwise: between its second sector and
+    // the first one of `other` is the one that is to leave the domain boundary.
+    bool wants_off_boundary(const Sectors<Real>& one, const Sectors<Real>& other) const {
         const Sector<Real>& before = one[0];
         const Sector<Real>& between = other[0];
         const Sector<Real>& after = other[1];
@@ -248,7 +250,7 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
 // What comes apart touches other vertices, which may have to come apart as well.
 template <class Real>
 void take_touched_apart(TopologyWork<Real>& work) {
-    for (int round = 0; round < most_rounds && !work.touched.empty(); ++round) {
+    for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {
         std::vector<Vertex> touched;
         for (const Vertex v : std::exchange(work.touched, {})) {
             if (work.complex.is_alive(v)) {

@@ -4,11 +4,12 @@
 // junctions whose common edge has shrunk away become such a vertex, and exchange their neighbours
 // when it comes apart again (the T1 of foams and grains).
 //
-// The wall is a mirror, and the same happens there: two curves whose ends meet on the wall leave it
-// as one, and a junction that reaches the wall becomes the ends of two curves. Corners of the
-// domain do not move, and neither does a curve that ends in one, until it lies along a wall. So the
-// end of a curve that comes close to a corner is put on the other wall, if the curve becomes
-// shorter by that, as it does in convex corners. In a reentrant one it may stay.
+// The domain boundary is a mirror, and the same happens there: two curves whose ends meet on the
+// domain boundary leave it as one, and a junction that reaches the domain boundary becomes the ends
+// of two curves. Corners of the domain do not move, and neither does a curve that ends in one,
+// until it lies along a side of the domain. So the end of a curve that comes close to a corner is
+// put on the other side, if the curve becomes shorter by that, as it does in convex corners. In a
+// reentrant one it may stay.
 #pragma once
 
 #include "topology/region.h"

@@ -15,7 +15,7 @@ namespace {
 /// Below this quality, squared, a triangle has no height to speak of.
 constexpr double poor_squared = 0.0025;
 /// Vertices that are removed to make room.
-constexpr int most_removed = 6;
+constexpr int max_removed = 6;
 
 template <class Real>
 class Merging {
@@ -24,10 +24,10 @@ public:
         : work_(work), complex_(work.complex), submesh_(work.complex), v_(v), w_(w) {}
 
     Vertex run(bool either) {
-        for (int removed = 0; removed <= most_removed; ++removed) {
+        for (int removed = 0; removed <= max_removed; ++removed) {
             const Real into_w = quality_after(v_, w_);
             const Real into_v = either ? quality_after(w_, v_) : Real(-1);
-            const bool is_last = removed == most_removed;
+            const bool is_last = removed == max_removed;
             const Real best = std::max(into_w, into_v);
             if (best >= static_cast<Real>(poor_squared) || is_last || !make_room(either, best)) {
                 if (!(best > 0)) {
@@ -156,15 +156,15 @@ Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either) {
 template <class Real>
 bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least) {
     Complex<Real>& complex = work.complex;
-    Ring<Real> ring;
-    if (!gather(complex, Region{}, vertex.id, ring) || !ring.one_phase || !ring.closed) {
+    Star<Real> star;
+    if (!gather(complex, Region{}, vertex.id, star) || !star.one_phase || !star.closed) {
         return false;
     }
     Real best = least;
     std::uint32_t heir = no_id;
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
-        const Real after = ring.size > 3 ? worst_quality_squared_after_collapse(ring, i) : 1;
-        if (after > best && star_collapse_guard(complex, ring, i) == Verdict::legal) {
+    for (std::uint32_t i = 0; i < star.size; ++i) {
+        const Real after = star.size > 3 ? worst_quality_squared_after_collapse(star, i) : 1;
+        if (after > best && star_collapse_guard(complex, star, i) == Verdict::legal) {
             best = after;
             heir = i;
         }
@@ -172,7 +172,7 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least) {
     if (heir == no_id) {
         return false;
     }
-    rewire::collapse(complex, complex.journal, prev(ring.corner[heir]), rewire::Vanishing::next,
+    rewire::collapse(complex, complex.journal, prev(star.corner[heir]), rewire::Vanishing::next,
                      complex.ids);
     return true;
 }

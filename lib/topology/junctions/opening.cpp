@@ -52,7 +52,7 @@ public:
         return corner_to(link_.front());
     }
 
-    Corner on_wall(bool is_first, Real length) {
+    Corner on_boundary(bool is_first, Real length) {
         const std::size_t last = link_.size() - 1;
         const Point<Real> way = way_to(is_first ? 0 : last);
         const Real most = way.norm();
@@ -163,14 +163,14 @@ Corner open_inside(Complex<Real>& complex, Vertex v, const Sector<Real>& sector,
 }
 
 template <class Real>
-Corner open_on_wall(Complex<Real>& complex, Vertex v, const Sector<Real>& sector, bool is_first,
-                    Real length) {
-    return SectorOpening<Real>(complex, v, sector).on_wall(is_first, length);
+Corner open_on_boundary(Complex<Real>& complex, Vertex v, const Sector<Real>& sector, bool is_first,
+                        Real length) {
+    return SectorOpening<Real>(complex, v, sector).on_boundary(is_first, length);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Corner open_inside(Complex<Real>&, Vertex, const Sector<Real>&, Real);                \
-    template Corner open_on_wall(Complex<Real>&, Vertex, const Sector<Real>&, bool, Real);
+    template Corner open_on_boundary(Complex<Real>&, Vertex, const Sector<Real>&, bool, Real);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

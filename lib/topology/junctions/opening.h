@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Room for a junction that leaves its vertex: a new vertex near by, inside a sector or on the wall
-// beside it, in which all edges of the sector end that ended at the old vertex. As near as it must
-// be, so that all triangles stay positive.
+// Room for a junction that leaves its vertex: a new vertex near by, inside a sector or on the
+// domain boundary beside it, in which all edges of the sector end that ended at the old vertex. As
+// near as it must be, so that all triangles stay positive.
 #pragma once
 
 #include "dsc/complex/submesh.h"
@@ -11,16 +11,17 @@ namespace dsc {
 
 /// Leaves two triangles of the sector at `v`, on either side of an edge to a new vertex, which is
 /// at most `length` away. Returns the corner at `v` of the first; no_id if the sector is too wide,
-/// or its only triangle ends at an oblique wall, on which no midpoint lies. O(degree squared).
+/// or its only triangle ends at an oblique side, on which no midpoint lies. O(degree squared).
 template <class Real>
 [[nodiscard]] Corner open_inside(Complex<Real>& complex, Vertex v, const Sector<Real>& sector,
                                  Real length);
 
-/// Leaves one triangle of a sector beside the wall, with a new vertex on the wall. `is_first`: the
-/// sector begins with the wall, else it ends there. Returns the corner at `v`; no_id if no place
-/// near by lies exactly on the wall. O(degree squared).
+/// Leaves one triangle of a sector beside the domain boundary, with a new vertex on the domain
+/// boundary. `is_first`: the sector begins with the domain boundary, else it ends there. Returns
+/// the corner at `v`; no_id if no place near by lies exactly on the domain boundary. O(degree
+/// squared).
 template <class Real>
-[[nodiscard]] Corner open_on_wall(Complex<Real>& complex, Vertex v, const Sector<Real>& sector,
-                                  bool is_first, Real length);
+[[nodiscard]] Corner open_on_boundary(Complex<Real>& complex, Vertex v, const Sector<Real>& sector,
+                                      bool is_first, Real length);
 
 } // namespace dsc

@@ -11,7 +11,7 @@ namespace dsc {
 
 namespace {
 
-// Whether the wall does, at a vertex on it.
+// Whether the domain boundary does, at a vertex on it.
 template <class Real>
 bool turns(const Complex<Real>& complex, Vertex v) {
     std::uint32_t from = no_id;
@@ -30,7 +30,7 @@ template <class Real>
 void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors) {
     auto& list = sectors.list;
     list.clear();
-    sectors.is_on_wall = false;
+    sectors.is_on_boundary = false;
     sectors.is_at_corner = false;
     if (complex.vertices[v.id].corner == no_id) {
         return; // of no triangle
@@ -40,9 +40,9 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
         return Point<Real>((complex.position(Vertex{to}) - here).normalized());
     };
     const Corner first = first_corner(complex, complex.vertices[v.id].corner);
-    sectors.is_on_wall = is_border(complex.twin(prev(first)));
+    sectors.is_on_boundary = is_border(complex.twin(prev(first)));
     Corner start = first;
-    if (!sectors.is_on_wall) {
+    if (!sectors.is_on_boundary) {
         start = find_corner(complex, v, [&](Corner c) { return is_outline(complex, prev(c)); });
         if (start == no_id) {
             return; // inside a phase
@@ -64,7 +64,7 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
         }
     }();
     sectors.end = list.front().ray;
-    if (sectors.is_on_wall) {
+    if (sectors.is_on_boundary) {
         const std::uint32_t from = complex.vertex(next(first));
         const std::uint32_t to = complex.vertex(prev(last));
         sectors.end = way(to);
@@ -84,24 +84,24 @@ bool may_split(const Complex<Real>& complex, Vertex v, Real shortest) {
         return (complex.position(Vertex{to}) - here).squaredNorm() < shortest * shortest;
     };
     std::size_t curves = 0;
-    bool is_on_wall = false;
+    bool is_on_boundary = false;
     bool has_short_curve = false;
-    bool has_short_wall = false;
+    bool has_short_boundary = false;
     for_each_corner(complex, v, [&](Corner c) {
         const Corner before = complex.twin(prev(c));
         if (is_border(before)) {
-            is_on_wall = true;
-            has_short_wall = has_short_wall || is_short(complex.vertex(next(c)));
+            is_on_boundary = true;
+            has_short_boundary = has_short_boundary || is_short(complex.vertex(next(c)));
         } else if (complex.phase_at(before) != complex.phase_at(c)) {
             ++curves;
             has_short_curve = has_short_curve || is_short(complex.vertex(next(c)));
         }
         if (is_border(complex.twin(next(c)))) {
-            has_short_wall = has_short_wall || is_short(complex.vertex(prev(c)));
+            has_short_boundary = has_short_boundary || is_short(complex.vertex(prev(c)));
         }
     });
-    if (is_on_wall) {
-        return curves > 1 || (curves == 1 && (has_short_wall || turns(complex, v)));
+    if (is_on_boundary) {
+        return curves > 1 || (curves == 1 && (has_short_boundary || turns(complex, v)));
     }
     return curves > 3 || (curves == 3 && has_short_curve);
 }
@@ -139,8 +139,8 @@ double energy_inwards(const TopologyWork<Real>& work, Phase before, Phase sector
 }
 
 template <class Real>
-double energy_along_wall(const TopologyWork<Real>& work, Phase sector, Phase neighbour,
-                         double angle) {
+double energy_along_boundary(const TopologyWork<Real>& work, Phase sector, Phase neighbour,
+                             double angle) {
     return -energy_between(work, sector, neighbour) * std::cos(angle);
 }
 
@@ -151,7 +151,7 @@ double energy_along_wall(const TopologyWork<Real>& work, Phase sector, Phase nei
     template bool may_change(const TopologyWork<Real>&, Phase, Phase);                             \
     template double energy_between(const TopologyWork<Real>&, Phase, Phase);                       \
     template double energy_inwards(const TopologyWork<Real>&, Phase, Phase, Phase, double);        \
-    template double energy_along_wall(const TopologyWork<Real>&, Phase, Phase, double);
+    template double energy_along_boundary(const TopologyWork<Real>&, Phase, Phase, double);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sectors about a vertex of the interface, and how the energy changes as the vertex moves into
-// one of them. The wall, which is the boundary of the domain, has no energy: it acts as a mirror,
-// and a curve meets it at 90 degrees.
+// one of them. The domain boundary, which is the boundary of the domain, has no energy: it acts as
+// a mirror, and a curve meets it at 90 degrees.
 #pragma once
 
 #include "topology/region.h"
@@ -11,7 +11,7 @@
 namespace dsc {
 
 /// The triangles of one phase about a vertex, between two interface edges or an interface edge and
-/// the wall.
+/// the domain boundary.
 template <class Real>
 struct Sector {
     Phase phase;
@@ -21,13 +21,14 @@ struct Sector {
     double angle = 0;  ///< radians
 };
 
-/// All sectors about a vertex, counter-clockwise; at the wall from one side of it to the other.
+/// All sectors about a vertex, counter-clockwise; at the domain boundary from one side of it to the
+/// other.
 template <class Real>
 struct Sectors {
     std::vector<Sector<Real>> list;
-    bool is_on_wall = false;
-    bool is_at_corner = false; ///< the wall turns at the vertex
-    Point<Real> end;           ///< on the wall: unit direction of the edge after the last sector
+    bool is_on_boundary = false;
+    bool is_at_corner = false; ///< the domain boundary turns at the vertex
+    Point<Real> end; ///< on the domain boundary: unit direction of the edge after the last sector
 
     [[nodiscard]] std::size_t size() const { return list.size(); }
     [[nodiscard]] const Sector<Real>& operator[](std::size_t k) const { return list[k]; }
@@ -35,20 +36,22 @@ struct Sectors {
         return list[(k + size() - 1) % size()];
     }
     [[nodiscard]] const Sector<Real>& after(std::size_t k) const { return list[(k + 1) % size()]; }
-    [[nodiscard]] bool is_beside_wall(std::size_t k) const {
-        return is_on_wall && (k == 0 || k + 1 == size());
+    [[nodiscard]] bool is_beside_boundary(std::size_t k) const {
+        return is_on_boundary && (k == 0 || k + 1 == size());
     }
-    /// More sectors than this come apart: three curves meet inside, and one ends at the wall.
-    [[nodiscard]] std::size_t stable() const { return is_on_wall ? 2 : 3; }
+    /// More sectors than this come apart: three curves meet inside, and one ends at the domain
+    /// boundary.
+    [[nodiscard]] std::size_t stable() const { return is_on_boundary ? 2 : 3; }
 };
 
-/// Finds the sectors about a living vertex. Empty inside a phase, away from the wall. O(degree).
+/// Finds the sectors about a living vertex. Empty inside a phase, away from the domain boundary.
+/// O(degree).
 template <class Real>
 void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors);
 
 /// Whether the vertex has more sectors than are stable, or a curve that may end in a corner, or an
-/// edge along the interface, or along the wall from the end of a curve, that is shorter than
-/// `shortest`. For most vertices this is false, and cheaper than the sectors. O(degree).
+/// edge along the interface, or along the domain boundary from the end of a curve, that is shorter
+/// than `shortest`. For most vertices this is false, and cheaper than the sectors. O(degree).
 template <class Real>
 [[nodiscard]] bool may_split(const Complex<Real>& complex, Vertex v, Real shortest);
 
@@ -71,10 +74,10 @@ template <class Real>
 [[nodiscard]] double energy_inwards(const TopologyWork<Real>& work, Phase before, Phase sector,
                                     Phase after, double angle);
 
-/// The same for the end of a curve that moves along the wall, into the sector beside it.
+/// The same for the end of a curve that moves along the domain boundary, into the sector beside it.
 template <class Real>
-[[nodiscard]] double energy_along_wall(const TopologyWork<Real>& work, Phase sector,
-                                       Phase neighbour, double angle);
+[[nodiscard]] double energy_along_boundary(const TopologyWork<Real>& work, Phase sector,
+                                           Phase neighbour, double angle);
 
 /// Differences of energy below this are a tie.
 inline constexpr double energy_tie = 1e-9;

@@ -14,15 +14,15 @@ namespace {
 
 /// Lines 1 to 4 of what follows.
 const std::string few_steps = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
-const std::string carried = "[flow]\nu = '1'\nv = '0'\n[exact]\ncarried = true\n"
-                            "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
+const std::string advected = "[flow]\nu = '1'\nv = '0'\n[exact]\nadvected = true\n"
+                             "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
 
 SceneFile read_figures(const std::string& text) { return read_scene_text(text, "s.toml"); }
 
 TEST(FigureLimits, KeepsLimits) {
     const auto limits =
-        read_figures(few_steps + carried +
-                     "[limits]\nsd_rel_last = 1e-3\narea_ratio = { least = 0.9, most = 1.1 }\n"
+        read_figures(few_steps + advected +
+                     "[limits]\nsd_rel_last = 1e-3\narea_ratio = { min = 0.9, max = 1.1 }\n"
                      "jaggedness_last.largest_excess_deg = 0\n")
             .limits;
     ASSERT_EQ(limits.size(), 3U);
@@ -39,15 +39,15 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> wrong{
         {few_steps + "[limits]\nsd_rel_last = nan\n", {"s.toml:6", "sd_rel_last", "nan"}},
         {few_steps + "[limits]\n", {"s.toml:5", "[limits]", "no limit", "sd_rel_last"}},
-        {few_steps + "[limits]\ninverted = {}\n", {"s.toml:6", "inverted", "least, most"}},
-        {few_steps + "[limits]\nmin_quality_last = { least = 1, most = 0 }\n", {"s.toml:6"}},
+        {few_steps + "[limits]\ninverted = {}\n", {"s.toml:6", "inverted", "min, max"}},
+        {few_steps + "[limits]\nmin_quality_last = { min = 1, max = 0 }\n", {"s.toml:6"}},
         {few_steps + "[limits]\nsd_rel_last = 1\n",
          {"s.toml:6", "[limits] sd_rel_last", "does not measure the figure", "exact shape"}},
-        {few_steps + carried + "[limits]\nsd_rel_half = 1\n", {"s.toml:13", "half-way"}},
+        {few_steps + advected + "[limits]\nsd_rel_half = 1\n", {"s.toml:13", "half-way"}},
         {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
          {"s.toml:8", "sd_half", "half-way"}},
         {few_steps + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "keeps no value"}},
-        {few_steps + carried + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
+        {few_steps + advected + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
          {"s.toml:15", "sd_last", "not known"}},
     };
     for (const auto& [text, words] : wrong) {

@@ -34,15 +34,15 @@ TEST(SceneFileExact, KnowsExactShapes) {
     EXPECT_NEAR(back(0).area, 0.04 * 3.14159265358979, 1e-9);
     EXPECT_NEAR(back(2).area, 0.04 * 3.14159265358979, 1e-9);
     EXPECT_TRUE(std::isnan(back(1).area)) << "nobody knows";
-    const auto carried = setup_of(vortex + "[exact]\ncarried = true").exact;
-    EXPECT_NEAR(signed_area(carried(1).outlines), 0.04 * 3.14159265358979, 1e-6);
+    const auto advected = setup_of(vortex + "[exact]\nadvected = true").exact;
+    EXPECT_NEAR(signed_area(advected(1).outlines), 0.04 * 3.14159265358979, 1e-6);
     const std::string ring = "dsc_ring_" + std::to_string(::getpid()) + ".txt";
     const std::filesystem::path folder = testing::TempDir();
     std::ofstream(folder / ring) << "0.1 0.1\n0.5 0.1\n0.5 0.9\n0.1 0.9\n\n"
                                     "0.2 0.3\n0.4 0.3\n0.4 0.7\n0.2 0.7\n";
     const Scene with_hole =
         read_scene_text(options + "[flow]\nu = '1'\nv = '0'\n[[shape]]\nfile = '" + ring +
-                            "'\n[exact]\ncarried = true",
+                            "'\n[exact]\nadvected = true",
                         folder / "s.toml")
             .scene;
     std::filesystem::remove(folder / ring);

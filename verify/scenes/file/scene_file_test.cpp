@@ -222,7 +222,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[curvature]\nkeeps = [0]\n", {"s.toml:6", "keeps", "whole numbers from 1"}},
         {options + "[curvature]\npairs = [{ one = 1 }]\n", {"s.toml:6", "other"}},
         {options + "[exact]\nback = true\n", {"s.toml:6", "back", "period"}},
-        {options + "[exact]\n", {"s.toml:5", "[exact]", "back, carried"}},
+        {options + "[exact]\n", {"s.toml:5", "[exact]", "back, advected"}},
         {options + "[limits]\nsd_rel = 1\n", {"s.toml:6", "'sd_rel'", "sd_rel_last"}},
         {options + "[limits]\nsd_rel_last = '1'\n", {"s.toml:6", "sd_rel_last", "a number"}},
         {options + "[measure]\nphase = 0\n", {"s.toml:6", "phase", "from 1"}},
@@ -326,7 +326,7 @@ TEST_F(FilesBeside, LabelImagesOfEveryKind) {
     }
     // The grain of phase 3 has two pixels.
     write("b.toml", options + "[domain]\nhigh = [2, 3]\n[shape]\nlabels = 'text'\n"
-                              "least_pixels = 3\n");
+                              "min_pixels = 3\n");
     const SceneFile file = read_scene_file(folder_ / "b.toml");
     EXPECT_GE(run_scene(file.scene, file.scene.defaults, {}).input.dropped, 1U);
     const std::vector<std::pair<std::string, std::string>> bad{
@@ -357,6 +357,23 @@ TEST(SceneFile, IsWhatHasASlashOrEndsInToml) {
     EXPECT_TRUE(is_scene_file("a.toml"));
     EXPECT_TRUE(is_scene_file("folder/a"));
     EXPECT_FALSE(is_scene_file("swirl"));
+}
+
+TEST(SceneFile, MayNameItsKeysAsInTheFirstRelease) {
+    const auto text = [&](const std::string& key, const std::string& carried) {
+        return carried + " = [1]\n" + options + key + " = 25\n" + disc +
+               "[flow]\nu = '1'\nv = '0'\n[exact]\n" + carried + " = true\n";
+    };
+    testing::internal::CaptureStderr();
+    const SceneFile old = read(text("corner", "carried"));
+    const std::string warnings = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(old.scene.defaults.interface.feature_degrees, 25);
+    EXPECT_EQ(old.scene.prepare(old.scene.defaults).advected, std::vector<Phase>{1});
+    EXPECT_NE(warnings.find("s.toml:6: [options]: 'corner' is now called 'feature'"),
+              std::string::npos)
+        << warnings;
+    EXPECT_NE(warnings.find("'carried' is now called 'advected'"), std::string::npos) << warnings;
+    EXPECT_THROW(read(text("feature = 20\ncorner", "advected")), InputError);
 }
 
 } // namespace

@@ -228,10 +228,10 @@ Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& opt
     return complex;
 }
 
-RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_points) {
+RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t max_points) {
     Random random(~seed);
     RandomComplexOptions options;
-    options.points = 3 + random.below(most_points - 2);
+    options.points = 3 + random.below(max_points - 2);
     options.grid = random.chance(0.5) ? 0 : 8U << random.below(3);
     options.at_resolution = options.grid > 0 && random.chance(0.2);
     constexpr std::uint32_t patterns = phase_pattern_names.size();

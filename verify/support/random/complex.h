@@ -61,8 +61,8 @@ struct RandomComplexOptions {
 template <class Real>
 Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& options);
 
-/// Options drawn at random: every pattern, grids and real numbers, 3 to `most_points` points.
-RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t most_points = 30);
+/// Options drawn at random: every pattern, grids and real numbers, 3 to `max_points` points.
+RandomComplexOptions random_options(std::uint64_t seed, std::uint32_t max_points = 30);
 
 /// Owners of vertices: 1 if the submesh owns it, otherwise 0; by id, `vertex_bound()` entries.
 /// Either one side of a line, a disc, or most vertices in random places.

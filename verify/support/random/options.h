@@ -37,7 +37,7 @@ inline InterfaceThresholds draw_interface(Dice& dice) {
         interface.degenerate = dice.in(0.0, 10.0);
     }
     if (dice.chance(0.3)) {
-        interface.corner_degrees = dice.in(1.0, 180.0);
+        interface.feature_degrees = dice.in(1.0, 180.0);
     }
     if (dice.chance(0.5)) {
         interface.grading = dice.chance(0.3) ? 0.0 : dice.in(2.0, 8.0);
@@ -85,7 +85,7 @@ void draw_topology(Dice& dice, double h, TopologyOptions<Real>& topology) {
     topology.rule = dice.one_of(topology_names);
     topology.opening = dice.one_of(opening_names);
     topology.contact = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.05, 0.75) * h);
-    topology.least_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
+    topology.min_area = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(0.1, 4.0) * h * h);
     if (dice.chance(0.5)) {
         topology.pairs.push_back({.one = 1,
                                   .other = dice.chance(0.5) ? exterior_phase : 2U,

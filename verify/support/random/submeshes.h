@@ -44,7 +44,7 @@ inline std::uint32_t number_in(Dice& dice, int low, int high) {
 /// and with a new division after a few steps.
 template <class Real>
 std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamily family) {
-    const double least_width = dice.in(2.0, 8.0);
+    const double min_width = dice.in(2.0, 8.0);
     const std::uint32_t recut = number_in(dice, 1, 8);
     switch (family) {
     case PartitionFamily::fixed:
@@ -58,23 +58,23 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
         // Upright slabs have their own code.
         slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
         slabs.follow_shape = dice.chance(0.25);
-        slabs.least_width = least_width;
+        slabs.min_width = min_width;
         slabs.recut = recut;
         return std::make_unique<SlabPartitioner<Real>>(slabs);
     }
     case PartitionFamily::blocks: {
         BlockOptions blocks;
         blocks.submeshes = number_in(dice, 1, 36);
-        blocks.least_width = least_width;
+        blocks.min_width = min_width;
         blocks.recut = recut;
         return std::make_unique<BlockPartitioner<Real>>(blocks);
     }
     case PartitionFamily::cells: {
         CellOptions cells;
         cells.submeshes = dice.chance(0.3) ? 0 : number_in(dice, 2, 12);
-        cells.least_vertices = number_in(dice, 3, 12);
+        cells.min_vertices = number_in(dice, 3, 12);
         cells.band = dice.in(0.0, 5.0);
-        cells.least_width = least_width;
+        cells.min_width = min_width;
         cells.recut = recut;
         cells.recut_later = number_in(dice, 1, 4);
         return std::make_unique<CellPartitioner<Real>>(cells);

@@ -5,7 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/initial/initial_complex.h"
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"

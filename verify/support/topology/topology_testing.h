@@ -99,28 +99,28 @@ inline std::vector<Event> change(Complex<double>& complex,
 
 /// The phases about a vertex.
 struct Meeting {
-    std::vector<Phase> phases; ///< counter-clockwise; on the wall from side to side
-    bool is_on_wall = false;
+    std::vector<Phase> phases; ///< counter-clockwise; on the domain boundary from side to side
+    bool is_on_boundary = false;
 };
 
 inline Meeting meeting_at(const Complex<double>& complex, Vertex v) {
     Meeting meeting;
     for_each_corner(complex, v, [&](Corner c) {
-        meeting.is_on_wall = meeting.is_on_wall || is_border(complex.twin(prev(c)));
+        meeting.is_on_boundary = meeting.is_on_boundary || is_border(complex.twin(prev(c)));
         if (meeting.phases.empty() || meeting.phases.back() != complex.phase_at(c)) {
             meeting.phases.push_back(complex.phase_at(c));
         }
     });
-    if (!meeting.is_on_wall && meeting.phases.size() > 1 &&
+    if (!meeting.is_on_boundary && meeting.phases.size() > 1 &&
         meeting.phases.front() == meeting.phases.back()) {
         meeting.phases.pop_back();
     }
     return meeting;
 }
 
-/// The places where a curve ends on the wall, and those where three meet inside.
+/// The places where a curve ends on the domain boundary, and those where three meet inside.
 struct Ends {
-    std::vector<Point<double>> on_wall;
+    std::vector<Point<double>> on_boundary;
     std::vector<Point<double>> inside;
     std::size_t crowded = 0; ///< vertices with more than these
 };
@@ -129,10 +129,11 @@ inline Ends ends_of(const Complex<double>& complex) {
     Ends ends;
     for (const Vertex v : vertices(complex)) {
         const Meeting meeting = meeting_at(complex, v);
-        const std::size_t stable = meeting.is_on_wall ? 2 : 3;
+        const std::size_t stable = meeting.is_on_boundary ? 2 : 3;
         ends.crowded += meeting.phases.size() > stable ? 1U : 0U;
         if (meeting.phases.size() == stable) {
-            (meeting.is_on_wall ? ends.on_wall : ends.inside).push_back(complex.position(v));
+            (meeting.is_on_boundary ? ends.on_boundary : ends.inside)
+                .push_back(complex.position(v));
         }
     }
     return ends;

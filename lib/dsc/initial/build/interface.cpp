@@ -26,9 +26,9 @@ std::uint32_t clamped(double value, std::uint32_t low, std::uint32_t high) {
 // Collapses an inner vertex of one phase into the neighbour that leaves the best triangles.
 template <class Real>
 void remove_vertex(Complex<Real>& complex, std::uint32_t vertex, std::vector<Corner>& stack) {
-    Ring<Real> ring;
-    if (gather(complex, Region{}, vertex, ring)) {
-        collapse_along(complex, ring, best_collapse(ring).incident_edge, stack);
+    Star<Real> star;
+    if (gather(complex, Region{}, vertex, star)) {
+        collapse_along(complex, star, best_collapse(star).incident_edge, stack);
     }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 // A piece of the interface by the corners opposite to it, in the triangles on the left and on the
 // right of its way. It stops a flood, while the phases do not tell.
-struct Wall {
+struct Barrier {
     Corner left;
     Corner right;
     std::uint32_t path; // of which it is a piece
@@ -28,9 +28,9 @@ class Filling {
 public:
     Filling(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains)
         : complex_(complex), paths_(paths) {
-        raise_walls(chains);
+        place_barriers(chains);
         Parts parts = label_parts(complex, [&](Triangle t) {
-            const auto is_open = [&](std::uint32_t i) { return !is_wall(corner_of(t.id, i)); };
+            const auto is_open = [&](std::uint32_t i) { return !is_barrier(corner_of(t.id, i)); };
             return std::array{is_open(0), is_open(1), is_open(2)};
         });
         regions_.resize(parts.count);
@@ -38,11 +38,11 @@ public:
     }
 
     void run() {
-        for (const Wall& wall : walls_) {
-            const CheckedPath& path = paths_[wall.path];
-            name(wall.left, {path.left, wall.path, "left"});
+        for (const Barrier& barrier : barriers_) {
+            const CheckedPath& path = paths_[barrier.path];
+            name(barrier.left, {path.left, barrier.path, "left"});
             if (path.right) {
-                name(wall.right, {*path.right, wall.path, "right"});
+                name(barrier.right, {*path.right, barrier.path, "right"});
             }
         }
         for (const Triangle t : triangles(complex_)) {
@@ -50,20 +50,20 @@ public:
                 complex_.triangles[t.id].phase = region.phase;
             }
         }
-        for (const Wall& wall : walls_) {
-            check_sides(wall);
-            complex_.triangles[triangle_of(wall.left)].mark = 0;
-            complex_.triangles[triangle_of(wall.right)].mark = 0;
+        for (const Barrier& barrier : barriers_) {
+            check_sides(barrier);
+            complex_.triangles[triangle_of(barrier.left)].mark = 0;
+            complex_.triangles[triangle_of(barrier.right)].mark = 0;
         }
     }
 
 private:
-    // Bit i of a triangle's mark: the edge opposite to its corner i is a wall.
-    [[nodiscard]] bool is_wall(Corner c) const {
+    // Bit i of a triangle's mark: the edge opposite to its corner i is a barrier.
+    [[nodiscard]] bool is_barrier(Corner c) const {
         return (complex_.triangles[triangle_of(c)].mark >> index_of(c) & 1U) != 0;
     }
 
-    void raise_walls(const Chains& chains) {
+    void place_barriers(const Chains& chains) {
         for (std::uint32_t k = 0; k < chains.size(); ++k) {
             for (std::size_t i = 0; i + 1 < chains[k].size(); ++i) {
                 const Corner left =
@@ -71,8 +71,8 @@ private:
                 if (left == no_id || is_border(complex_.twin(left))) {
                     throw InvariantError("fill_phases: a piece of the interface is no inner edge");
                 }
-                walls_.push_back({left, complex_.twin(left), k});
-                for (const Corner c : {walls_.back().left, walls_.back().right}) {
+                barriers_.push_back({left, complex_.twin(left), k});
+                for (const Corner c : {barriers_.back().left, barriers_.back().right}) {
                     complex_.triangles[triangle_of(c)].mark |= 1U << index_of(c);
                 }
             }
@@ -93,11 +93,11 @@ private:
     }
 
     // An outline names no phase outside: what is there is known only now.
-    void check_sides(const Wall& wall) const {
-        if (complex_.phase_at(wall.left) == complex_.phase_at(wall.right)) {
+    void check_sides(const Barrier& barrier) const {
+        if (complex_.phase_at(barrier.left) == complex_.phase_at(barrier.right)) {
             throw InputError({.what = "the shape has the phase of what is around it",
-                              .where = paths_[wall.path].name,
-                              .value = std::to_string(complex_.phase_at(wall.left)),
+                              .where = paths_[barrier.path].name,
+                              .value = std::to_string(complex_.phase_at(barrier.left)),
                               .allowed = "any other; phase 0 only in a shape of another phase"});
         }
     }
@@ -109,7 +109,7 @@ private:
 
     Complex<Real>& complex_;
     std::span<const CheckedPath> paths_;
-    std::vector<Wall> walls_;
+    std::vector<Barrier> barriers_;
     std::vector<std::uint32_t> region_of_; // by triangle
     std::vector<Named> regions_;
 };

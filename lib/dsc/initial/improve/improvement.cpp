@@ -29,7 +29,7 @@ void in_rounds(Complex<Real>& complex, int rounds, Round round) {
 
 // --- near the interface --------------------------------------------------------------------------
 
-constexpr int rings = 4; // of edges about the interface that always belong to the zone
+constexpr int layers = 4; // of edges about the interface that always belong to the zone
 // An edge shorter than this share of the target is not one of the lattice, whose shortest edges
 // belong to the half triangles at the sides.
 constexpr double fine_below = 0.48;
@@ -127,8 +127,8 @@ private:
 
     // A new vertex gets its target from its star, whose triangles are looked at.
     void take(std::uint32_t v) {
-        if (gather(complex_, Region{}, v, ring_)) {
-            field_[Vertex{v}] = rule_.at(ring_, field_.data(), Real(0));
+        if (gather(complex_, Region{}, v, star_)) {
+            field_[Vertex{v}] = rule_.at(star_, field_.data(), Real(0));
         }
         for (const Triangle t : star_triangles(complex_, Vertex{v})) {
             queue_.push_back(t.id);
@@ -142,7 +142,7 @@ private:
     Protection protection_;
     std::vector<std::uint32_t> queue_; ///< triangles to be looked at, in order
     std::vector<Corner> stack_;
-    Ring<Real> ring_;
+    Star<Real> star_;
 };
 
 // Collapses vertices where there are more of them than the targets call for. Returns their number.
@@ -150,20 +150,20 @@ template <class Real>
 std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
     const SizeField<Real>& field = size_field(complex);
     std::vector<Corner> stack;
-    Ring<Real> ring;
+    Star<Real> star;
     std::size_t removed = 0;
     for (const std::uint32_t v : zone) {
-        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, ring) ||
-            !ring.one_phase || !ring.closed || ring.size < 4) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, star) ||
+            !star.one_phase || !star.closed || star.size < 4) {
             continue;
         }
         const auto target = static_cast<double>(field[Vertex{v}].length);
-        if (!(std::sqrt(static_cast<double>(examine(ring).longest)) < crowded * target)) {
+        if (!(std::sqrt(static_cast<double>(examine(star).longest)) < crowded * target)) {
             continue;
         }
-        const CollapseChoice best = best_collapse(ring, longest_after * target);
+        const CollapseChoice best = best_collapse(star, longest_after * target);
         if (best.quality > quality_after &&
-            collapse_along(complex, ring, best.incident_edge, stack)) {
+            collapse_along(complex, star, best.incident_edge, stack)) {
             ++removed;
         }
     }
@@ -180,15 +180,15 @@ std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
     for (const std::uint32_t v : found) {
         complex.vertices[v].stamp = 1;
     }
-    std::size_t ring_end = found.size();
-    int ring = 0;
+    std::size_t layer_end = found.size();
+    int layer = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (i == ring_end) {
-            ++ring;
-            ring_end = found.size();
+        if (i == layer_end) {
+            ++layer;
+            layer_end = found.size();
         }
         const std::uint32_t v = found[i];
-        if (ring >= rings && !is_fine(complex, v, edge_length)) {
+        if (layer >= layers && !is_fine(complex, v, edge_length)) {
             continue;
         }
         for (const Vertex w : link_vertices(complex, Vertex{v})) {

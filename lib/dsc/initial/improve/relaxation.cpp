@@ -15,7 +15,7 @@ namespace {
 
 constexpr double good_star = 0.9;      // worst quality of a star that is left alone
 constexpr double search_below = 0.75;  // worst quality of a star whose centre is searched for
-constexpr double least_gain = 5e-3;    // in quality, for a move
+constexpr double min_gain = 5e-3;      // in quality, for a move
 constexpr double collapse_below = 0.6; // worst quality of a star that may be collapsed
 constexpr double collapse_gain = 0.02; // in quality, for a collapse
 constexpr double longest_edge = 1.4;   // after a collapse, over the target
@@ -24,36 +24,36 @@ constexpr double longest_edge = 1.4;   // after a collapse, over the target
 enum class Freedom : std::uint8_t { none, horizontal, vertical, full };
 
 template <class Real>
-Freedom freedom_of(const Ring<Real>& ring) {
-    if (!ring.one_phase) {
+Freedom freedom_of(const Star<Real>& star) {
+    if (!star.one_phase) {
         return Freedom::none;
     }
-    if (ring.closed) {
+    if (star.closed) {
         return Freedom::full;
     }
-    if (ring.size == 0) {
+    if (star.size == 0) {
         return Freedom::none;
     }
-    const std::uint32_t last = ring.size - 1;
-    if (ring.y[0] == ring.y0 && ring.y_next[last] == ring.y0) {
+    const std::uint32_t last = star.size - 1;
+    if (star.y[0] == star.y0 && star.y_next[last] == star.y0) {
         return Freedom::horizontal;
     }
-    return ring.x[0] == ring.x0 && ring.x_next[last] == ring.x0 ? Freedom::vertical : Freedom::none;
+    return star.x[0] == star.x0 && star.x_next[last] == star.x0 ? Freedom::vertical : Freedom::none;
 }
 
 // The best place found so far for the centre of a star.
 template <class Real>
 struct Trial {
-    const Ring<Real>& ring;
+    const Star<Real>& star;
     Freedom freedom;
     Point<Real> place;
     double quality;
 
     bool offer(double x, double y) {
-        const Point<Real> point(freedom == Freedom::vertical ? ring.x0 : narrowed<Real>(x),
-                                freedom == Freedom::horizontal ? ring.y0 : narrowed<Real>(y));
-        const double worst = worst_quality_at(ring, point.template cast<double>());
-        if (worst > quality + least_gain && all_positive(ring, point.x(), point.y())) {
+        const Point<Real> point(freedom == Freedom::vertical ? star.x0 : narrowed<Real>(x),
+                                freedom == Freedom::horizontal ? star.y0 : narrowed<Real>(y));
+        const double worst = worst_quality_at(star, point.template cast<double>());
+        if (worst > quality + min_gain && all_positive(star, point.x(), point.y())) {
             quality = worst;
             place = point;
             return true;
@@ -75,11 +75,11 @@ void search(Trial<Real>& trial, double reach) {
                                                                {0, -1},
                                                                {diagonal, -diagonal}}};
     constexpr int halvings = 4;
-    constexpr int most_steps = 4;
+    constexpr int max_steps = 4;
     double step = 0.25 * reach;
     for (int halving = 0; halving < halvings; ++halving, step *= 0.5) {
         bool moved = true;
-        for (int i = 0; i < most_steps && moved; ++i) {
+        for (int i = 0; i < max_steps && moved; ++i) {
             moved = false;
             const Point<Real> from = trial.place;
             for (const auto& d : directions) {
@@ -99,19 +99,19 @@ struct Link {
 };
 
 template <class Real>
-Link mean_link(const Ring<Real>& ring) {
+Link mean_link(const Star<Real>& star) {
     Link mean;
-    const std::uint32_t n = ring.link_size();
+    const std::uint32_t n = star.link_size();
     for (std::uint32_t k = 0; k < n; ++k) {
         // Relative to the centre, so that an offset of the coordinates costs no digits.
-        const auto x = static_cast<double>(ring.link_x(k) - ring.x0);
-        const auto y = static_cast<double>(ring.link_y(k) - ring.y0);
+        const auto x = static_cast<double>(star.link_x(k) - star.x0);
+        const auto y = static_cast<double>(star.link_y(k) - star.y0);
         mean.x += x / n;
         mean.y += y / n;
         mean.reach += std::sqrt(x * x + y * y) / n;
     }
-    mean.x += static_cast<double>(ring.x0);
-    mean.y += static_cast<double>(ring.y0);
+    mean.x += static_cast<double>(star.x0);
+    mean.y += static_cast<double>(star.y0);
     return mean;
 }
 
@@ -120,18 +120,18 @@ Link mean_link(const Ring<Real>& ring) {
 template <class Real>
 std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
     std::size_t moves = 0;
-    Ring<Real> ring;
+    Star<Real> star;
     std::vector<Corner> stack;
     for (const std::uint32_t v : zone) {
         if (!complex.is_alive(Vertex{v}) || complex.vertices[v].slot == settled ||
-            !gather(complex, Region{}, v, ring)) {
+            !gather(complex, Region{}, v, star)) {
             continue;
         }
-        const Freedom freedom = freedom_of(ring);
-        const double before = worst_quality(ring);
-        Trial<Real> trial{ring, freedom, Point<Real>(ring.x0, ring.y0), before};
+        const Freedom freedom = freedom_of(star);
+        const double before = worst_quality(star);
+        Trial<Real> trial{star, freedom, Point<Real>(star.x0, star.y0), before};
         if (freedom != Freedom::none && before < good_star) {
-            const Link mean = mean_link(ring);
+            const Link mean = mean_link(star);
             trial.offer(mean.x, mean.y);
             if (trial.quality < search_below) {
                 search(trial, mean.reach);
@@ -152,20 +152,20 @@ template <class Real>
 std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone,
                      double edge_length) {
     std::size_t collapses = 0;
-    Ring<Real> ring;
+    Star<Real> star;
     std::vector<Corner> stack;
     for (const std::uint32_t v : zone) {
-        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, ring) ||
-            freedom_of(ring) == Freedom::none) {
+        if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, star) ||
+            freedom_of(star) == Freedom::none) {
             continue;
         }
-        const double before = worst_quality(ring);
+        const double before = worst_quality(star);
         if (before > collapse_below) {
             continue;
         }
-        const CollapseChoice best = best_collapse(ring, longest_edge * edge_length);
+        const CollapseChoice best = best_collapse(star, longest_edge * edge_length);
         if (best.quality >= before + collapse_gain &&
-            collapse_along(complex, ring, best.incident_edge, stack)) {
+            collapse_along(complex, star, best.incident_edge, stack)) {
             ++collapses;
         }
     }

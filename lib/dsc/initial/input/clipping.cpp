@@ -76,7 +76,7 @@ void clip(Loop& loop, const Side& side) {
 }
 
 // Of its points from a side; negative beyond it.
-double least_distance(const Loop& loop, const Side& side) {
+double min_distance(const Loop& loop, const Side& side) {
     double least = std::numeric_limits<double>::infinity();
     for (const Point<double>& p : loop.points) {
         least = std::min(least, side.distance(p));
@@ -111,7 +111,7 @@ Clipped clip_to_domain(std::vector<Loop>& loops, const Lattice& lattice, double 
     for (Loop& loop : loops) {
         bool is_clipped = false;
         for (const Side& side : sides_of(lattice)) {
-            const double nearest = least_distance(loop, side);
+            const double nearest = min_distance(loop, side);
             if (nearest < tolerance) {
                 result.is_at_side = true;
                 move_to_side(loop, side, tolerance);

@@ -118,7 +118,7 @@ private:
         }
         // An end on a side stays: the other one goes the whole way.
         const double farthest =
-            (is_held || is_other_held ? finest_edge : most_deviation) * edge_length_;
+            (is_held || is_other_held ? finest_edge : max_deviation) * edge_length_;
         double deviation = 0;
         for (const Junction* junction : {&kept, &lost}) {
             for (const Point<double>& p : junction->given) {
@@ -223,11 +223,11 @@ private:
         const Point<double>& a = junctions_[one].place;
         const Point<double>& b = junctions_[other].place;
         const Points& inside = lines_[between].given;
-        const auto is_corner = [&](const Point<double>& p) {
+        const auto is_feature = [&](const Point<double>& p) {
             return p == a || p == b || std::ranges::find(inside, p) != inside.end();
         };
         for (std::size_t i = 1; i + 1 < inside.size(); ++i) {
-            if (any_in({a, b, inside[i]}, is_corner)) {
+            if (any_in({a, b, inside[i]}, is_feature)) {
                 return false;
             }
         }
@@ -241,7 +241,7 @@ private:
                 for (std::size_t i = 0; i < 2; ++i) {
                     const Point<double>& next = i == 0 ? points[1] : points[points.size() - 2];
                     if (ends_[line][i] == j && any_in({from, target, next}, [&](const auto& p) {
-                            return p == next || is_corner(p);
+                            return p == next || is_feature(p);
                         })) {
                         return false;
                     }
@@ -252,7 +252,7 @@ private:
     }
 
     template <class IsCorner>
-    [[nodiscard]] bool any_in(std::array<Point<double>, 3> corners, IsCorner is_corner) const {
+    [[nodiscard]] bool any_in(std::array<Point<double>, 3> corners, IsCorner is_feature) const {
         const int way = orientation<double>(corners[0], corners[1], corners[2]);
         if (way == 0) {
             return false;
@@ -261,7 +261,7 @@ private:
             std::swap(corners[0], corners[1]);
         }
         const auto is_in = [&](const Point<double>& p) {
-            return !is_corner(p) && orientation<double>(corners[0], corners[1], p) >= 0 &&
+            return !is_feature(p) && orientation<double>(corners[0], corners[1], p) >= 0 &&
                    orientation<double>(corners[1], corners[2], p) >= 0 &&
                    orientation<double>(corners[2], corners[0], p) >= 0;
         };

@@ -11,7 +11,7 @@ namespace dsc::initial {
 
 /// Contracts lines between two junctions that are shorter than `finest_edge` times the edge length
 /// to a point between them, the shortest first: to the end on a side of the domain, if there is
-/// one. No junction moves farther than `most_deviation` times the edge length, and lines meet
+/// one. No junction moves farther than `max_deviation` times the edge length, and lines meet
 /// nowhere that they did not meet before. A region all of whose border is contracted vanishes; the
 /// report counts it as dropped, and junctions that became one as points that were left out.
 /// O(n log n) for n points at distances that do not differ much.

@@ -42,9 +42,9 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double h = options.edge_length;
     require(std::isfinite(h) && h > 0, "edge_length", h, "a finite number above 0");
     require(options.improve_rounds >= 0, "improve_rounds", options.improve_rounds, "0 or more");
-    require(options.border_tolerance >= least_margin && options.border_tolerance <= 0.1,
+    require(options.border_tolerance >= min_margin && options.border_tolerance <= 0.1,
             "border_tolerance", options.border_tolerance,
-            to_text(least_margin) + " to 0.1 edge lengths");
+            to_text(min_margin) + " to 0.1 edge lengths");
     const Point<double> low = rounded<Real>(domain.low);
     const Point<double> high = rounded<Real>(domain.high);
     if (!low.allFinite() || !high.allFinite()) {
@@ -61,7 +61,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                           .value = to_text(domain.low) + " to " + to_text(domain.high),
                           .allowed = "low below high in x and y, and an area that is finite"});
     }
-    constexpr double least = least_initial_edge_length;
+    constexpr double least = min_initial_edge_length;
     require(h >= least && h <= 1 / least, "edge_length", h,
             to_text(least) + " to " + to_text(1 / least) + "; choose_frame brings any scene there");
     require(h <= std::min(width, height), "edge_length", h,
@@ -69,15 +69,15 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     const double resolution = std::max(largest(low), largest(high)) *
                               static_cast<double>(std::numeric_limits<Real>::epsilon());
     require(
-        h >= least_steps * resolution, "edge_length", h,
-        "at least " + to_text(least_steps * resolution) +
+        h >= min_steps * resolution, "edge_length", h,
+        "at least " + to_text(min_steps * resolution) +
             ", what coordinates of this size resolve; choose_frame brings a scene near the origin");
     check_sizes(options.sizes, h);
     const double spacing = spacing_of(options, std::min(width, height));
     // An equilateral triangle has the area sqrt(3)/4 h^2.
     const double triangles = width / spacing * (height / spacing) / 0.43301270189221933;
-    require(triangles <= most_triangles, "edge_length", h,
-            "at most " + to_text(most_triangles) + " triangles, not about " + to_text(triangles));
+    require(triangles <= max_triangles, "edge_length", h,
+            "at most " + to_text(max_triangles) + " triangles, not about " + to_text(triangles));
     return fit_lattice(low, high, spacing);
 }
 
@@ -192,12 +192,12 @@ void check_places(const Line& line, const Lattice& lattice, double h) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool may_touch = !line.is_outline() && (i == 0 || i + 1 == points.size());
         const double distance = distance_to_sides(lattice, points[i]);
-        if (!(distance >= least_margin * h) && !(may_touch && distance == 0)) {
+        if (!(distance >= min_margin * h) && !(may_touch && distance == 0)) {
             throw InputError(
                 {.what = "the point is outside the domain or too close to a side of it",
                  .where = line.point(i),
                  .value = to_text(points[i]),
-                 .allowed = "a distance of at least " + to_text(least_margin * h) +
+                 .allowed = "a distance of at least " + to_text(min_margin * h) +
                             " to the sides of " + to_text(lattice.low) + " to " +
                             to_text(lattice.high) +
                             "; the ends of a curve may lie on them exactly"});
@@ -223,8 +223,8 @@ void check_lines(std::vector<Line>& lines, const Lattice& lattice, const Initial
         for (std::size_t i = 0; i + 1 < line.given.size(); ++i) {
             pieces += piece_count(line, i, h);
         }
-        require(pieces <= most_pieces, line.path.name, pieces,
-                "at most " + to_text(most_pieces) + " pieces of the interface up to its end");
+        require(pieces <= max_pieces, line.path.name, pieces,
+                "at most " + to_text(max_pieces) + " pieces of the interface up to its end");
     }
 }
 

@@ -12,18 +12,18 @@
 namespace dsc::initial {
 
 /// The interface may come as close to the sides of the domain as this share of the edge length.
-inline constexpr double least_margin = 1e-3;
+inline constexpr double min_margin = 1e-3;
 /// More triangles than this are taken for a mistake; ids would end at 2^30.
-inline constexpr double most_triangles = 5e8;
+inline constexpr double max_triangles = 5e8;
 /// The interface may be cut into so many pieces.
-inline constexpr double most_pieces = most_triangles / 4;
+inline constexpr double max_pieces = max_triangles / 4;
 /// Qualities compare products of four lengths, and quotients of these: they must stay within the
-/// range of doubles. A simulation asks for more: `least_edge_length` in triangle.h.
-inline constexpr double least_initial_edge_length = 1e-100;
+/// range of doubles. A simulation asks for more: `min_edge_length` in triangle.h.
+inline constexpr double min_initial_edge_length = 1e-100;
 /// Detail is kept in edges that are at least this times the edge length long.
 inline constexpr double shortest_kept_edge = 0.05;
 /// An edge length must span so many steps of the scalar at the largest coordinate.
-inline constexpr double least_steps = 64;
+inline constexpr double min_steps = 64;
 
 /// A path of the interface without an edge longer than the target; a closed one repeats its first
 /// point at the end. Two of them, or two parts of one, have nothing in common but ends.

@@ -21,7 +21,7 @@ constexpr int smoothing_steps = 60;
 constexpr double shrinking = 0.5;
 constexpr double swelling = -1 / (1 / shrinking - 0.02);
 /// Two arms of a junction that are closer to each other in direction than this are drawn back.
-constexpr double least_angle = 20 * std::numbers::pi / 180;
+constexpr double min_angle = 20 * std::numbers::pi / 180;
 /// Rounds of making areas right; each leaves about a tenth of the error.
 constexpr int area_rounds = 12;
 
@@ -110,7 +110,7 @@ private:
         for (std::uint32_t k = 0; k < site.neighbours; ++k) {
             double angle = arms[(k + 1) % site.neighbours][1] - arms[k][1];
             angle += angle < 0 ? 2 * std::numbers::pi : 0;
-            if (angle < least_angle) {
+            if (angle < min_angle) {
                 return false;
             }
             turn += angle;
@@ -120,8 +120,8 @@ private:
 
     // Draws junctions that are not open, and the sites beside them, back to where they began.
     void open_junctions() {
-        constexpr int most_rounds = 60; // halves what is far from its beginning in each
-        for (int round = 0; round < most_rounds; ++round) {
+        constexpr int max_rounds = 60; // halves what is far from its beginning in each
+        for (int round = 0; round < max_rounds; ++round) {
             bool any = false;
             for (Site& site : sites_) {
                 if (site.kind != Site::Kind::junction || is_open(site)) {

@@ -47,7 +47,7 @@ struct Extent {
 };
 
 // One round: small grains go to neighbours that do not go anywhere in this round.
-bool drop_once(LabelImage& image, const Point<double>& pixel, double least_size,
+bool drop_once(LabelImage& image, const Point<double>& pixel, double min_size,
                InputReport& report) {
     const Grains grains = grains_of(image);
     std::vector<Extent> extents(grains.pixels.size());
@@ -66,7 +66,7 @@ bool drop_once(LabelImage& image, const Point<double>& pixel, double least_size,
         const Point<double> size(static_cast<double>(extent.right - extent.left + 1),
                                  static_cast<double>(extent.bottom - extent.top + 1));
         extent.is_small =
-            grains.pixels[g] < image.least_pixels || size.cwiseProduct(pixel).norm() < least_size;
+            grains.pixels[g] < image.min_pixels || size.cwiseProduct(pixel).norm() < min_size;
         if (extent.is_small) {
             small.push_back(g);
         }
@@ -148,10 +148,10 @@ Grains grains_of(const LabelImage& image) {
     return grains;
 }
 
-void drop_small_grains(LabelImage& image, const Point<double>& pixel, double least_size,
+void drop_small_grains(LabelImage& image, const Point<double>& pixel, double min_size,
                        InputReport& report) {
     // Each round leaves fewer sets of pixels that are joined by sides.
-    while (drop_once(image, pixel, least_size, report)) {
+    while (drop_once(image, pixel, min_size, report)) {
     }
 }
 

@@ -17,9 +17,9 @@ struct Grains {
 
 [[nodiscard]] Grains grains_of(const LabelImage& image);
 
-/// Gives grains to their neighbours that have fewer pixels than `LabelImage::least_pixels`, or are
-/// smaller than `least_size`, a length. O(n) for n pixels in each of a few rounds.
-void drop_small_grains(LabelImage& image, const Point<double>& pixel, double least_size,
+/// Gives grains to their neighbours that have fewer pixels than `LabelImage::min_pixels`, or are
+/// smaller than `min_size`, a length. O(n) for n pixels in each of a few rounds.
+void drop_small_grains(LabelImage& image, const Point<double>& pixel, double min_size,
                        InputReport& report);
 
 } // namespace dsc::initial

@@ -86,7 +86,7 @@ public:
             for (std::uint32_t j = 1; j < pieces; ++j) {
                 const double fraction = static_cast<double>(j) / pieces;
                 const Point<double> p = rounded<Real>(a + fraction * (b - a));
-                if (!(distance_to_sides(lattice_, p) >= least_margin * h_)) {
+                if (!(distance_to_sides(lattice_, p) >= min_margin * h_)) {
                     refuse_along_side(line, i, p);
                 }
                 result.push_back(p);
@@ -158,7 +158,7 @@ private:
         throw InputError({.what = "the edge runs along a side of the domain",
                           .where = line.edge(edge),
                           .value = line.ends_of_edge(edge),
-                          .allowed = "a distance of at least " + to_text(least_margin * h_) +
+                          .allowed = "a distance of at least " + to_text(min_margin * h_) +
                                      " between its ends, as at " + to_text(p)});
     }
 

@@ -168,7 +168,7 @@ private:
         std::uint32_t first = 0;
         std::uint32_t last = 0;
         std::uint32_t may_go = 0; // as many vertices, so that the strand keeps its shape
-        double most_area_change = 0;
+        double max_area_change = 0;
         double area_change = 0; // on its left
     };
     struct Removal {
@@ -203,8 +203,8 @@ private:
                 area += cross<double>(points[i - 1] - points[0], points[i] - points[0]) / 2;
             }
             const bool is_closed = points.front() == points.back();
-            state.most_area_change =
-                most_area_change *
+            state.max_area_change =
+                max_area_change *
                 std::min(edge_length_ * length, is_closed ? std::abs(area) : edge_length_ * length);
         }
         return nodes;
@@ -254,14 +254,14 @@ private:
         const Point<double>& b = nodes_[node.next].place;
         Removal result{.vertex = vertex, .area_change = cross<double>(b - a, node.place - a) / 2};
         const double area_change = std::abs(state.area_change + result.area_change);
-        if (area_change > state.most_area_change && area_change > std::abs(state.area_change)) {
+        if (area_change > state.max_area_change && area_change > std::abs(state.area_change)) {
             return {};
         }
         const auto after = [&](std::uint32_t i) { return i == state.last ? state.first : i + 1; };
         for (std::uint32_t i = after(node.previous); i != node.next; i = after(i)) {
             result.deviation = std::max(result.deviation, distance(nodes_[i].place, a, b));
         }
-        if (result.deviation > most_deviation * edge_length_ || is_in_the_way(vertex)) {
+        if (result.deviation > max_deviation * edge_length_ || is_in_the_way(vertex)) {
             return {};
         }
         // The area that is lost here is gained there.

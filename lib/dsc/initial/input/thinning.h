@@ -19,11 +19,11 @@ namespace dsc::initial {
 inline constexpr double finest_edge = 0.2;
 /// No point that is left out lies farther than this times the edge length from the edge in its
 /// place: half of the finest edge, so that a tooth of such edges may go.
-inline constexpr double most_deviation = 0.1;
+inline constexpr double max_deviation = 0.1;
 /// The area on one side of a curve changes by less than this times the edge length and the length
 /// of the curve, and by less than this times the area inside a closed one. On a smooth curve, the
 /// deviation is hardly larger.
-inline constexpr double most_area_change = 1e-3;
+inline constexpr double max_area_change = 1e-3;
 
 /// A line of points that has no point in common with others but its ends.
 struct Strand {

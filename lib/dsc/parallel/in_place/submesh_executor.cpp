@@ -186,7 +186,7 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
         parts_.push_back(std::move(spare_parts_.back()));
         spare_parts_.pop_back();
         parts_.back()->pool = &complex_.ids.lend(parts_.size() - 1);
-        parts_.back()->make_room(Part::least_room);
+        parts_.back()->make_room(Part::min_room);
         parts_.back()->work.log.readers = whole_.log.readers;
         parts_.back()->work.watched_quality = whole_.watched_quality;
     }

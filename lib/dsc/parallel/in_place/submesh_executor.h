@@ -52,7 +52,7 @@ private:
     [[nodiscard]] std::uint32_t hand_out(std::vector<std::uint32_t> list);
     void connect();
     void make_room();
-    [[nodiscard]] static std::size_t least_vertices(const Part& part);
+    [[nodiscard]] static std::size_t min_vertices(const Part& part);
     void refill(Part& part);
     [[nodiscard]] bool has_pools() const { return generation_ == complex_.ids.generation; }
     void take_pools();

@@ -30,7 +30,7 @@ void SubmeshExecutor<Real>::take_pools() {
 }
 
 template <class Real>
-std::size_t SubmeshExecutor<Real>::least_vertices(const Part& part) {
+std::size_t SubmeshExecutor<Real>::min_vertices(const Part& part) {
     return part.work.submesh.region.is_whole() ? 0 // it uses those of the complex
                                                : spare_vertices + part.work.interface.size() / 2;
 }
@@ -43,7 +43,7 @@ template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
     for (const auto& part : parts_) {
-        lent += 2 * least_vertices(*part);
+        lent += 2 * min_vertices(*part);
     }
     const auto roomy = [lent](std::size_t bound, std::size_t each) {
         return bound + bound / 2 + 4 * each * lent;
@@ -54,7 +54,7 @@ void SubmeshExecutor<Real>::make_room() {
 template <class Real>
 void SubmeshExecutor<Real>::refill(Part& part) {
     IdPool& pool = *part.pool;
-    const std::size_t least = least_vertices(part);
+    const std::size_t least = min_vertices(part);
     if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
         return;
     }
@@ -81,7 +81,7 @@ void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void SubmeshExecutor<Real>::take_pools();                                             \
     template void SubmeshExecutor<Real>::give_back_surplus(Part&);                                 \
-    template std::size_t SubmeshExecutor<Real>::least_vertices(const Part&);                       \
+    template std::size_t SubmeshExecutor<Real>::min_vertices(const Part&);                         \
     template void SubmeshExecutor<Real>::make_room();                                              \
     template void SubmeshExecutor<Real>::refill(Part&);
 DSC_INSTANTIATE(double)

@@ -12,7 +12,7 @@ template <class Real>
 struct SubmeshExecutor<Real>::Part {
     Part(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
 
-    static constexpr std::size_t least_room = 48; // vertices
+    static constexpr std::size_t min_room = 48; // vertices
 
     Work<Real> work;
     IdPool* pool = nullptr;       // in the complex

@@ -13,7 +13,7 @@ namespace dsc {
 namespace {
 
 /// The last colour is small, and may be a single cell.
-constexpr std::size_t most_colours = 3;
+constexpr std::size_t max_colours = 3;
 
 struct Cut {
     double at;
@@ -51,9 +51,9 @@ std::optional<Cut> best_cut(std::span<const Site> sites, bool upright, double sh
         const double last = coordinate(sites[i - 1], upright);
         const double next = coordinate(sites[i], upright);
         const double at = last + 0.5 * (next - last);
-        if (off > rules.tolerance || i < rules.least_sites ||
-            sites.size() - i < rules.least_sites || !(last < at && at < next) ||
-            at - low < rules.least_width || high - at < rules.least_width) {
+        if (off > rules.tolerance || i < rules.min_sites || sites.size() - i < rules.min_sites ||
+            !(last < at && at < next) || at - low < rules.min_width ||
+            high - at < rules.min_width) {
             continue;
         }
         while (coordinate(sites[band_begin], upright) < at - rules.band) {
@@ -82,7 +82,7 @@ public:
     }
 
     void divide(std::size_t begin, std::size_t end, const Region& box, std::uint32_t cells) {
-        if (cells < 2 || end - begin < 2 * std::max<std::size_t>(rules_.least_sites, 1)) {
+        if (cells < 2 || end - begin < 2 * std::max<std::size_t>(rules_.min_sites, 1)) {
             boxes.push_back(box);
             return;
         }
@@ -162,12 +162,12 @@ std::vector<Region> divide_sites(std::vector<Site>& sites, std::uint32_t cells,
 template <class Real>
 CellPartitioner<Real>::CellPartitioner(const CellOptions& options) : options_(options) {
     require(options.submeshes <= 65536, "submeshes", options.submeshes, "0 (automatic) to 65536");
-    require(options.least_width >= 2 && std::isfinite(options.least_width), "least_width",
-            options.least_width, "2 edge lengths or more");
+    require(options.min_width >= 2 && std::isfinite(options.min_width), "min_width",
+            options.min_width, "2 edge lengths or more");
     require(options.band >= 0 && std::isfinite(options.band), "band", options.band,
             "0 edge lengths or more");
-    const std::uint32_t least_recut = std::min(options.recut, options.recut_later);
-    require(least_recut >= 1, "recut", least_recut, "1 step or more");
+    const std::uint32_t min_recut = std::min(options.recut, options.recut_later);
+    require(min_recut >= 1, "recut", min_recut, "1 step or more");
 }
 
 template <class Real>
@@ -183,8 +183,8 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
                                    Partition& partition) {
     CutRules rules;
     rules.band = options_.band * input.edge_length;
-    rules.least_width = options_.least_width * input.edge_length;
-    rules.least_sites = options_.least_vertices;
+    rules.min_width = options_.min_width * input.edge_length;
+    rules.min_sites = options_.min_vertices;
     const auto site_of = [&](std::size_t i) {
         const auto& record = input.complex.vertices[input.interface[i]];
         return Site{static_cast<double>(record.x), static_cast<double>(record.y), input.work[i]};
@@ -215,8 +215,8 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
     // the gaps between their few sites rather than the balance.
     rules.tolerance = 0.5;
     rules.band_price = 8;
-    rules.least_sites = 4;
-    for (std::size_t later = 1; later < most_colours && !sites_.empty(); ++later) {
+    rules.min_sites = 4;
+    for (std::size_t later = 1; later < max_colours && !sites_.empty(); ++later) {
         Colour colour;
         colour.regions = divide_sites(sites_, cells, rules);
         std::size_t box = 0;

@@ -8,10 +8,10 @@ namespace dsc {
 
 /// How boxes of sites are cut.
 struct CutRules {
-    double band = 0;               ///< a site nearer to a cut than this is done by two colours
-    double least_width = 0;        ///< of the sites' extent, on either side of a cut
-    std::uint32_t least_sites = 1; ///< on either side
-    double tolerance = 0.12;       ///< a share may be off by this fraction of the whole
+    double band = 0;             ///< a site nearer to a cut than this is done by two colours
+    double min_width = 0;        ///< of the sites' extent, on either side of a cut
+    std::uint32_t min_sites = 1; ///< on either side
+    double tolerance = 0.12;     ///< a share may be off by this fraction of the whole
     double band_price = 2; ///< cost of a site in the band, compared with one that is off balance
 };
 

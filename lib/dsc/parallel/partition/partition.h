@@ -97,8 +97,8 @@ struct CellOptions {
     /// Cells of the first colour; 0: as many as pay off, by the length of the interface. Fewer if
     /// they would be too small.
     std::uint32_t submeshes = 0;
-    std::uint32_t least_vertices = 20; ///< smaller cells are not worth their boundaries
-    double least_width = 6;            ///< in edge lengths
+    std::uint32_t min_vertices = 20; ///< smaller cells are not worth their boundaries
+    double min_width = 6;            ///< in edge lengths
     double band = 4;          ///< in edge lengths: vertices nearer to a cut go to the second colour
     std::uint32_t recut = 32; ///< steps between two divisions of the first colour
     std::uint32_t recut_later = 16; ///< and of the later ones

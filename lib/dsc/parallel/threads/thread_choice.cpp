@@ -6,13 +6,13 @@ namespace dsc {
 namespace {
 
 constexpr std::uint32_t steps_of_a_try = 4;
-constexpr std::uint32_t least_pause = 16;
-constexpr std::uint32_t most_pause = 2048;
+constexpr std::uint32_t min_pause = 16;
+constexpr std::uint32_t max_pause = 2048;
 /// Where other programs run, a few steps take ten times as long as the others, and what counts is
 /// the mean of many.
 constexpr std::uint32_t steps_of_a_mean = 32;
 /// No single step counts for more than so many others.
-constexpr double most_of_a_step = 4;
+constexpr double max_share_of_step = 4;
 /// A try that takes so much longer than the steps before ends at once.
 constexpr double hopeless = 1.15;
 /// Steps that take so much longer than at the last try are the reason for another one.
@@ -28,17 +28,17 @@ ThreadChoice::Level ThreadChoice::next_try() {
         return 0;
     }
     const bool can_be_more = home_ > 0;
-    const bool can_be_fewer = home_ + 1 < levels && (most_ >> home_) > 1;
+    const bool can_be_fewer = home_ + 1 < levels && (max_ >> home_) > 1;
     was_fewer_ = can_be_fewer && (!can_be_more || !was_fewer_);
     return was_fewer_ ? home_ + 1 : home_ - 1;
 }
 
 void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
-    if (!(work > 0) || most_ <= 1) {
+    if (!(work > 0) || max_ <= 1) {
         return;
     }
     if (useful <= 1) {
-        *this = ThreadChoice(most_); // noise alone would have chosen
+        *this = ThreadChoice(max_); // noise alone would have chosen
         return;
     }
     if (warm_up_ > 0) {
@@ -48,7 +48,7 @@ void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
     Mean& mean = means_[now_];
     double one = seconds / work;
     if (mean.steps > 0) {
-        one = std::min(one, most_of_a_step * mean.value);
+        one = std::min(one, max_share_of_step * mean.value);
     }
     mean.steps = std::min(mean.steps + 1, steps_of_a_mean);
     mean.value += (one - mean.value) / mean.steps;
@@ -75,9 +75,9 @@ void ThreadChoice::end_try() {
     tries_left_ = 0;
     if (means_[now_].value < worthwhile * means_[home_].value) {
         home_ = now_;
-        pause_ = least_pause;
+        pause_ = min_pause;
     } else {
-        pause_ = std::min(4 * pause_, most_pause);
+        pause_ = std::min(4 * pause_, max_pause);
     }
     now_ = home_;
     until_try_ = pause_;

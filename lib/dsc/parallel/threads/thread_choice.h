@@ -19,10 +19,10 @@ class ThreadChoice {
 public:
     /// At most so many threads.
     explicit ThreadChoice(std::uint32_t most)
-        : most_(most), home_(static_cast<Level>(std::bit_width(most) - 1)), now_(home_) {}
+        : max_(most), home_(static_cast<Level>(std::bit_width(most) - 1)), now_(home_) {}
 
     /// The threads for the next step.
-    [[nodiscard]] std::uint32_t threads() const { return std::max(most_ >> now_, 1U); }
+    [[nodiscard]] std::uint32_t threads() const { return std::max(max_ >> now_, 1U); }
     /// What that step took, in seconds, for its work: in any unit, if always the same. `useful`: so
     /// many threads had anything to do in it, whatever was chosen; with one there was no choice,
     /// and the next step that has one begins anew.
@@ -41,7 +41,7 @@ private:
     void end_try();
 
     std::array<Mean, levels> means_{};
-    std::uint32_t most_;
+    std::uint32_t max_;
     Level home_;                   ///< what steps use
     Level now_;                    ///< what the next one does: another while it is tried
     std::uint32_t warm_up_ = 2;    ///< steps that do not count

@@ -79,17 +79,17 @@ void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list,
     }
     std::vector<std::uint32_t> ordered;
     ordered.reserve(list.size());
-    Ring<Real> ring;
+    Star<Real> star;
     for (const std::uint32_t start : list) {
         std::uint32_t v = start;
         while (v != no_id && complex.vertices[v].stamp == listed) {
             complex.vertices[v].stamp = placed;
             ordered.push_back(v);
             std::uint32_t following = no_id;
-            if (gather(complex, Region{}, v, ring)) {
-                for (std::uint32_t i = 0; i < ring.link_size() && following == no_id; ++i) {
-                    if (ring.is_constrained(i) && complex.vertices[ring.link[i]].stamp == listed) {
-                        following = ring.link[i];
+            if (gather(complex, Region{}, v, star)) {
+                for (std::uint32_t i = 0; i < star.link_size() && following == no_id; ++i) {
+                    if (star.is_constrained(i) && complex.vertices[star.link[i]].stamp == listed) {
+                        following = star.link[i];
                     }
                 }
             }
@@ -108,7 +108,7 @@ public:
     Turns(const Complex<Real>& complex, Real arc) : complex_(complex), arc_(arc) {}
 
     // Where the curve turns by more than the angle of this cosine, and most sharply within the arc.
-    bool is_corner(std::uint32_t v, Real cosine) {
+    bool is_feature(std::uint32_t v, Real cosine) {
         near_.clear();
         const auto ends = arc_ends(v, &near_);
         const Point<Real> at = complex_.position(Vertex{v});
@@ -138,24 +138,24 @@ private:
 
     // Of a vertex of one curve, in the order of `arc_ends`.
     Real turn_at(std::uint32_t v) {
-        (void)gather(complex_, Region{}, v, ring_);
-        const IncidentEdges incident = interface_edges_of(ring_);
-        return turn_angle<Real>(link_point(ring_, incident.first), {ring_.x0, ring_.y0},
-                                link_point(ring_, incident.second));
+        (void)gather(complex_, Region{}, v, star_);
+        const IncidentEdges incident = interface_edges_of(star_);
+        return turn_angle<Real>(link_point(star_, incident.first), {star_.x0, star_.y0},
+                                link_point(star_, incident.second));
     }
 
     // The ends of the arcs on both sides of a vertex of one curve inside the domain; the vertices
     // before these ends are appended to `near`.
     std::optional<Ends> arc_ends(std::uint32_t v, std::vector<std::uint32_t>* near) {
-        if (!gather(complex_, Region{}, v, ring_)) {
+        if (!gather(complex_, Region{}, v, star_)) {
             return std::nullopt;
         }
-        const IncidentEdges incident = interface_edges_of(ring_);
+        const IncidentEdges incident = interface_edges_of(star_);
         if (incident.count != 2) {
             return std::nullopt;
         }
-        const std::array<std::uint32_t, 2> first{ring_.link[incident.first],
-                                                 ring_.link[incident.second]};
+        const std::array<std::uint32_t, 2> first{star_.link[incident.first],
+                                                 star_.link[incident.second]};
         return Ends{arc_end(v, first[0], near), arc_end(v, first[1], near)};
     }
 
@@ -164,43 +164,43 @@ private:
         for (std::uint32_t from = v;;) {
             const Point<Real> end = complex_.position(Vertex{next});
             length += distance<Real>(complex_.position(Vertex{from}), end);
-            if (length >= arc_ || !gather(complex_, Region{}, next, ring_)) {
+            if (length >= arc_ || !gather(complex_, Region{}, next, star_)) {
                 return end;
             }
-            const IncidentEdges incident = interface_edges_of(ring_);
-            if (incident.count != 2 || !ring_.closed || next == v) {
+            const IncidentEdges incident = interface_edges_of(star_);
+            if (incident.count != 2 || !star_.closed || next == v) {
                 return end; // a junction, a side of the domain, or a curve shorter than the arc
             }
             if (near != nullptr) {
                 near->push_back(next);
             }
-            const bool is_first = ring_.link[incident.first] == from;
-            from = std::exchange(next, ring_.link[is_first ? incident.second : incident.first]);
+            const bool is_first = star_.link[incident.first] == from;
+            from = std::exchange(next, star_.link[is_first ? incident.second : incident.first]);
         }
     }
 
     const Complex<Real>& complex_;
     Real arc_;
-    Ring<Real> ring_;
+    Star<Real> star_;
     std::vector<std::uint32_t> near_;
 };
 
 } // namespace
 
 template <class Real>
-void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
-                  Real arc) {
+void mark_features(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
+                   Real arc) {
     const auto cosine = static_cast<Real>(std::cos(degrees * std::numbers::pi / 180));
     Turns<Real> turns(complex, arc);
     for (const std::uint32_t v : list) {
-        if (turns.is_corner(v, cosine)) {
-            complex.vertices[v].flags |= vertex_corner;
+        if (turns.is_feature(v, cosine)) {
+            complex.vertices[v].flags |= vertex_feature;
         }
     }
 }
 
 template <class Real>
-bool is_carried(const Complex<Real>& complex, std::span<const Phase> phases, Vertex vertex) {
+bool is_advected(const Complex<Real>& complex, std::span<const Phase> phases, Vertex vertex) {
     const Corner first = complex.vertices[vertex.id].corner;
     if (phases.empty() || first == no_id ||
         std::ranges::find(phases, complex.phase_at(first)) == phases.end()) {
@@ -219,9 +219,9 @@ template <class Real>
 std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
                                          const Options<Real>& options) {
     std::vector<std::uint32_t> list = collect_interface(complex);
-    if (!options.carried_phases.empty()) {
+    if (!options.advected_phases.empty()) {
         std::ranges::copy_if(ids_of(vertices(complex)), std::back_inserter(list), [&](auto v) {
-            return is_carried<Real>(complex, options.carried_phases, Vertex{v});
+            return is_advected<Real>(complex, options.advected_phases, Vertex{v});
         });
     }
     shuffle_interface(list, options.shuffle_seed);
@@ -232,14 +232,14 @@ template <class Real>
 bool is_moved(const Complex<Real>& complex, const Options<Real>& options, Vertex vertex) {
     return complex.is_alive(vertex) && complex.vertices[vertex.id].corner != no_id &&
            (is_interface(complex, vertex) ||
-            is_carried<Real>(complex, options.carried_phases, vertex));
+            is_advected<Real>(complex, options.advected_phases, vertex));
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::vector<std::uint32_t> collect_interface(const Complex<Real>&);                   \
     template void order_interface(Complex<Real>&, std::vector<std::uint32_t>&, std::uint32_t);     \
-    template void mark_corners(Complex<Real>&, const std::vector<std::uint32_t>&, double, Real);   \
-    template bool is_carried(const Complex<Real>&, std::span<const Phase>, Vertex);                \
+    template void mark_features(Complex<Real>&, const std::vector<std::uint32_t>&, double, Real);  \
+    template bool is_advected(const Complex<Real>&, std::span<const Phase>, Vertex);               \
     template std::vector<std::uint32_t> collect_moved(const Complex<Real>&, const Options<Real>&); \
     template bool is_moved(const Complex<Real>&, const Options<Real>&, Vertex);
 DSC_INSTANTIATE(double)

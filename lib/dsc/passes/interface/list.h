@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The vertices that a flow moves: those of the interface, derived from the phases (thesis, section
-// 8.6), and those inside the phases that are carried along (`Options::carried_phases`). And which
+// 8.6), and those inside the phases that are advected (`Options::advected_phases`). And which
 // of the interface are corners.
 #pragma once
 
@@ -35,14 +35,14 @@ inline constexpr double feature_arc = 0.2;
 /// that a flow opens stays a corner, and a tip that becomes sharp later does not become one.
 /// O(list) where edges are no shorter than the arc.
 template <class Real>
-void mark_corners(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
-                  Real arc);
+void mark_features(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
+                   Real arc);
 
 /// Whether a living vertex lies inside one of these phases, away from the domain boundary.
 /// O(degree).
 template <class Real>
-[[nodiscard]] bool is_carried(const Complex<Real>& complex, std::span<const Phase> phases,
-                              Vertex vertex);
+[[nodiscard]] bool is_advected(const Complex<Real>& complex, std::span<const Phase> phases,
+                               Vertex vertex);
 
 /// All of them: the interface curve by curve, then the others by id; shuffled as the options say.
 /// O(n), once at the start.
@@ -50,7 +50,7 @@ template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
                                                        const Options<Real>& options);
 
-/// Whether a flow moves this vertex now: it lives, in a triangle, on the interface or carried.
+/// Whether a flow moves this vertex now: it lives, in a triangle, on the interface or advected.
 /// O(degree).
 template <class Real>
 [[nodiscard]] bool is_moved(const Complex<Real>& complex, const Options<Real>& options,

@@ -3,9 +3,9 @@
 
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/boundary.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
-#include "dsc/passes/wall.h"
 #include "dsc/quality/measures.h"
 #include "dsc/sizes/rule.h"
 
@@ -33,10 +33,10 @@ public:
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // A wall edge ahead that is shorter than a sub-step blocks the motion. A poor triangle
-          // for a while is better than one that cannot move.
-          wall_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
-                square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
+          // A side of the domain edge ahead that is shorter than a sub-step blocks the motion. A
+          // poor triangle for a while is better than one that cannot move.
+          boundary_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
+                    square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -73,106 +73,108 @@ private:
         if (!complex_.is_alive(Vertex{v})) {
             return;
         }
-        Ring<Real>& ring = work_.ring;
-        const bool gathered = gather(complex_, work_.submesh.region, v, ring);
+        Star<Real>& star = work_.star;
+        const bool gathered = gather(complex_, work_.submesh.region, v, star);
         if (!gathered) {
             work_.interface_next.push_back(v);
             return;
         }
-        const IncidentEdges incident = interface_edges_of(ring);
-        if (!ring.owned) {
+        const IncidentEdges incident = interface_edges_of(star);
+        if (!star.owned) {
             // Nobody rewrites the triangles that straddle two submeshes, or moves their vertices:
             // what there is to do can be seen from here, except beyond the link, as for a gap.
-            if (gap_squared_ > 0 || should_collapse(ring, incident) ||
-                long_edge(ring, incident) != no_id || wants_boundary_remeshing(ring)) {
+            if (gap_squared_ > 0 || should_collapse(star, incident) ||
+                long_edge(star, incident) != no_id || wants_boundary_remeshing(star)) {
                 work_.deferred.remeshing(v);
             } else if (incident.count > 0) {
-                keep(ring, incident);
+                keep(star, incident);
             }
             work_.interface_next.push_back(v);
         } else if (incident.count == 0) {
-            if (ring.one_phase && ring.closed && work_.options.carries(ring.phase[0])) {
+            if (star.one_phase && star.closed && work_.options.advects(star.phase[0])) {
                 work_.interface_next.push_back(v);
             }
-        } else if (!(should_collapse(ring, incident) && try_collapse(ring, incident)) &&
-                   !(wants_boundary_remeshing(ring) && keep_wall(v, ring)) &&
-                   !refine(v, ring, incident)) {
-            keep(ring, incident);
-            show(ring, incident);
+        } else if (!(should_collapse(star, incident) && try_collapse(star, incident)) &&
+                   !(wants_boundary_remeshing(star) && keep_boundary(v, star)) &&
+                   !refine(v, star, incident)) {
+            keep(star, incident);
+            show(star, incident);
         }
     }
 
-    void keep(const Ring<Real>& ring, const IncidentEdges& incident) {
-        if (ring.closed && ring.size <= KeptStar::capacity &&
-            complex_.vertices[ring.vertex].stamp != work_.epoch) {
-            work_.stars.push_back(keep_star(complex_, ring, incident));
+    void keep(const Star<Real>& star, const IncidentEdges& incident) {
+        if (star.closed && star.size <= CachedStar::capacity &&
+            complex_.vertices[star.vertex].stamp != work_.epoch) {
+            work_.stars.push_back(cache_star(complex_, star, incident));
         }
     }
 
-    void show(const Ring<Real>& ring, const IncidentEdges& incident) {
+    void show(const Star<Real>& star, const IncidentEdges& incident) {
         for (const Pass<Real>& pass : work_.remeshing) {
             if (pass.watch) {
-                pass.watch(work_, ring, incident);
+                pass.watch(work_, star, incident);
             }
         }
     }
 
     // --- the interface along the domain boundary ----------------------------------------------
-    bool wants_boundary_remeshing(const Ring<Real>& ring) const {
-        return !ring.closed &&
-               (should_collapse_on_wall(ring, wall_at(ring)) ||
-                (ring.phase[0] != exterior_phase && should_split_wall(ring, wall_at(ring))));
+    bool wants_boundary_remeshing(const Star<Real>& star) const {
+        return !star.closed && (should_collapse_on_boundary(star, boundary_at(star)) ||
+                                (star.phase[0] != exterior_phase &&
+                                 should_split_boundary(star, boundary_at(star))));
     }
 
-    // The wall's edges are as fine as the interface where that is finer than the edge length.
-    BoundaryLimits<Real> wall_at(const Ring<Real>& ring) const {
-        const Real share = std::min(Real(1), stretch({ring.x0, ring.y0}));
-        return {share * wall_.longest, share * wall_.shortest, wall_.least_quality,
-                share * wall_.blocking};
+    // The domain boundary's edges are as fine as the interface where that is finer than the edge
+    // length.
+    BoundaryLimits<Real> boundary_at(const Star<Real>& star) const {
+        const Real share = std::min(Real(1), stretch({star.x0, star.y0}));
+        return {share * boundary_.longest, share * boundary_.shortest, boundary_.min_quality,
+                share * boundary_.blocking};
     }
 
-    // A short wall edge goes, even where the edge that is left is so long that it is split again,
-    // if it is in the way of the end of a curve, or of a vertex that slides into a corner of the
-    // domain.
-    bool may_collapse_on_wall(const Ring<Real>& ring, const BoundaryLimits<Real>& wall) {
-        if (!should_collapse_on_wall(ring, wall)) {
+    // A short boundary edge goes, even where the edge that is left is so long that it is split
+    // again, if it is in the way of the end of a curve, or of a vertex that slides into a corner of
+    // the domain.
+    bool may_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& boundary) {
+        if (!should_collapse_on_boundary(star, boundary)) {
             return false;
         }
-        if (merged_on_wall(ring) < wall.longest) {
+        if (merged_on_boundary(star) < boundary.longest) {
             return true;
         }
         const bool is_first =
-            boundary_edge(ring, true).squared < boundary_edge(ring, false).squared;
-        if (!see_end(ring, is_first ? 0 : ring.size)) {
+            boundary_edge(star, true).squared < boundary_edge(star, false).squared;
+        if (!see_end(star, is_first ? 0 : star.size)) {
             return false;
         }
-        const Ring<Real>& end = work_.other_ring;
+        const Star<Real>& end = work_.other_star;
         return !end.one_phase || orientation<Real>(link_point(end, 0), {end.x0, end.y0},
                                                    link_point(end, end.size)) != 0;
     }
 
-    // The star at the other end of an incident edge, in `other_ring`. False if it cannot be seen
+    // The star at the other end of an incident edge, in `other_star`. False if it cannot be seen
     // from here.
-    bool see_end(const Ring<Real>& ring, std::uint32_t incident_edge) {
-        Ring<Real>& end = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, ring.link[incident_edge], end);
+    bool see_end(const Star<Real>& star, std::uint32_t incident_edge) {
+        Star<Real>& end = work_.other_star;
+        const bool gathered = gather(complex_, work_.submesh.region, star.link[incident_edge], end);
         if (!end.owned) {
-            work_.deferred.remeshing(ring.vertex);
+            work_.deferred.remeshing(star.vertex);
             return false;
         }
         return gathered;
     }
 
-    // True if the ring is stale; the vertices to be kept in the list have then been put there.
-    bool keep_wall(std::uint32_t v, const Ring<Real>& ring) {
-        const BoundaryLimits<Real> wall = wall_at(ring);
-        if (may_collapse_on_wall(ring, wall) && collapse_on_wall(work_, ring, wall)) {
+    // True if the star is stale; the vertices to be kept in the list have then been put there.
+    bool keep_boundary(std::uint32_t v, const Star<Real>& star) {
+        const BoundaryLimits<Real> boundary = boundary_at(star);
+        if (may_collapse_on_boundary(star, boundary) &&
+            collapse_on_boundary(work_, star, boundary)) {
             return true;
         }
-        if (ring.phase[0] == exterior_phase || !should_split_wall(ring, wall)) {
+        if (star.phase[0] == exterior_phase || !should_split_boundary(star, boundary)) {
             return false;
         }
-        const SplitResult result = split_wall(work_, ring);
+        const SplitResult result = split_boundary(work_, star);
         if (is_deferred(result.verdict)) {
             work_.deferred.remeshing(v);
         }
@@ -185,22 +187,22 @@ private:
     }
 
     // --- coarsening ---------------------------------------------------------------------------
-    bool should_collapse(const Ring<Real>& ring, const IncidentEdges& incident) {
-        if (thresholds_.coarsening == Coarsening::never || incident.count != 2 || !ring.closed ||
-            is_corner(ring.vertex)) {
+    bool should_collapse(const Star<Real>& star, const IncidentEdges& incident) {
+        if (thresholds_.coarsening == Coarsening::never || incident.count != 2 || !star.closed ||
+            is_feature(star.vertex)) {
             return false;
         }
-        const Point<Real> p(ring.x0, ring.y0);
-        const Point<Real> a = link_point(ring, incident.first);
-        const Point<Real> b = link_point(ring, incident.second);
+        const Point<Real> p(star.x0, star.y0);
+        const Point<Real> a = link_point(star, incident.first);
+        const Point<Real> b = link_point(star, incident.second);
         const Real nearest = std::min(squared_distance(p, a), squared_distance(p, b));
         const Real here = stretch(p);
         if (nearest >= here * shortest_squared_) {
             return false;
         }
         if (const Real merged = squared_distance(a, b);
-            merged >= allowed(longest_squared(ring, incident), a, b) &&
-            (merged >= here * bypass_squared_ || !is_ahead_of_end(ring, incident))) {
+            merged >= allowed(longest_squared(star, incident), a, b) &&
+            (merged >= here * bypass_squared_ || !is_ahead_of_end(star, incident))) {
             return false;
         }
         if (nearest < here * degenerate_squared_ &&
@@ -209,29 +211,29 @@ private:
         }
         return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
-                squared_deviation(ring, incident) < here * deviation_squared_);
+                squared_deviation(star, incident) < here * deviation_squared_);
     }
 
     // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary.
     // If such an end moves along the curve, the centre is in its way and has to go, even if the
     // merged edge is then so long that it is split again.
-    bool is_ahead_of_end(const Ring<Real>& ring, const IncidentEdges& incident) {
-        const Point<Real> p(ring.x0, ring.y0);
-        const bool is_first = squared_distance(p, link_point(ring, incident.first)) <
-                              squared_distance(p, link_point(ring, incident.second));
-        if (!see_end(ring, is_first ? incident.first : incident.second)) {
+    bool is_ahead_of_end(const Star<Real>& star, const IncidentEdges& incident) {
+        const Point<Real> p(star.x0, star.y0);
+        const bool is_first = squared_distance(p, link_point(star, incident.first)) <
+                              squared_distance(p, link_point(star, incident.second));
+        if (!see_end(star, is_first ? incident.first : incident.second)) {
             return false;
         }
-        const Ring<Real>& end = work_.other_ring;
+        const Star<Real>& end = work_.other_star;
         return !end.closed || interface_edges_of(end).count != 2;
     }
 
     // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
-    Real squared_deviation(const Ring<Real>& ring, const IncidentEdges& incident) {
-        const Point<Real> p(ring.x0, ring.y0);
+    Real squared_deviation(const Star<Real>& star, const IncidentEdges& incident) {
+        const Point<Real> p(star.x0, star.y0);
         CurveNeighbours<Real> curve;
-        curve.p1 = link_point(ring, incident.first);
-        curve.p2 = link_point(ring, incident.second);
+        curve.p1 = link_point(star, incident.first);
+        curve.p2 = link_point(star, incident.second);
         const Point<Real> chord = curve.p2 - curve.p1;
         if (thresholds_.reading == Reading::chords) {
             const Point<Real> offset = p - curve.p1;
@@ -241,8 +243,8 @@ private:
         // The cubic over the gap, at the share of the chord length at which the centre was.
         const Real before = (p - curve.p1).norm();
         const Real share = before / (before + (curve.p2 - p).norm());
-        if (!see_past(ring, incident.first, curve.p0, curve.has_first) ||
-            !see_past(ring, incident.second, curve.p3, curve.has_last)) {
+        if (!see_past(star, incident.first, curve.p0, curve.has_first) ||
+            !see_past(star, incident.second, curve.p3, curve.has_last)) {
             return 0;
         }
         const Point<Real> off = p - curve_point(curve, share);
@@ -252,28 +254,28 @@ private:
 
     // The vertex that follows the one at the end of an incident edge, away from the centre. False
     // if only another submesh can see its star.
-    bool see_past(const Ring<Real>& ring, std::uint32_t incident_edge, Point<Real>& next,
+    bool see_past(const Star<Real>& star, std::uint32_t incident_edge, Point<Real>& next,
                   bool& has_next) {
-        Ring<Real>& beyond = work_.other_ring;
-        if (!gather(complex_, work_.submesh.region, ring.link[incident_edge], beyond)) {
+        Star<Real>& beyond = work_.other_star;
+        if (!gather(complex_, work_.submesh.region, star.link[incident_edge], beyond)) {
             return beyond.owned;
         }
         CurveNeighbours<Real> on;
-        on.p1 = {ring.x0, ring.y0};
-        on.p2 = link_point(ring, incident_edge);
-        see_from_beyond(complex_, beyond, ring.vertex, on);
+        on.p1 = {star.x0, star.y0};
+        on.p2 = link_point(star, incident_edge);
+        see_from_beyond(complex_, beyond, star.vertex, on);
         next = on.p3;
         has_next = on.has_last;
         return true;
     }
 
-    bool try_collapse(Ring<Real>& ring, const IncidentEdges& incident) {
-        const Point<Real> p(ring.x0, ring.y0);
-        const Real to_a = (link_point(ring, incident.first) - p).squaredNorm();
-        const Real to_b = (link_point(ring, incident.second) - p).squaredNorm();
+    bool try_collapse(Star<Real>& star, const IncidentEdges& incident) {
+        const Point<Real> p(star.x0, star.y0);
+        const Real to_a = (link_point(star, incident.first) - p).squaredNorm();
+        const Real to_b = (link_point(star, incident.second) - p).squaredNorm();
         const std::uint32_t nearer = to_a < to_b ? incident.first : incident.second;
         for (const std::uint32_t i : {nearer, incident.other(nearer)}) {
-            if (collapse_centre(work_, ring, prev(ring.corner[i]), rewire::Vanishing::next) ==
+            if (collapse_centre(work_, star, prev(star.corner[i]), rewire::Vanishing::next) ==
                 Verdict::legal) {
                 return true;
             }
@@ -283,19 +285,19 @@ private:
 
     // --- refinement ---------------------------------------------------------------------------
     // How long an interface edge at the centre may be, squared, as the shape there requires.
-    Real longest_squared(const Ring<Real>& ring, const IncidentEdges& incident) const {
+    Real longest_squared(const Star<Real>& star, const IncidentEdges& incident) const {
         if (!follows_shape_ || incident.count != 2) {
             return longest_squared_;
         }
         Real longest = longest_squared_;
         // The angle at which a curve meets the domain boundary is not a bend of the curve.
-        if (turn_squared_ > 0 && ring.closed && !is_corner(ring.vertex)) {
-            const Real bend = curvature<Real>(link_point(ring, incident.first), {ring.x0, ring.y0},
-                                              link_point(ring, incident.second));
+        if (turn_squared_ > 0 && star.closed && !is_feature(star.vertex)) {
+            const Real bend = curvature<Real>(link_point(star, incident.first), {star.x0, star.y0},
+                                              link_point(star, incident.second));
             longest = std::min(longest, turn_squared_ / (bend * bend));
         }
         if (gap_squared_ > 0) {
-            longest = std::min(longest, gap_squared_ * squared_gap(complex_, ring, incident));
+            longest = std::min(longest, gap_squared_ * squared_gap(complex_, star, incident));
         }
         return std::max(longest, finest_squared_);
     }
@@ -303,20 +305,20 @@ private:
     // The interface edge to be split; no_id if there is none. An edge longer than the general limit
     // is found only from the end that has the larger phase on its left, so that each edge is found
     // once. An edge too long for the shape at the centre is found from there.
-    std::uint32_t long_edge(const Ring<Real>& ring, const IncidentEdges& incident) const {
-        const Point<Real> p(ring.x0, ring.y0);
-        const Real local = longest_squared(ring, incident);
+    std::uint32_t long_edge(const Star<Real>& star, const IncidentEdges& incident) const {
+        const Point<Real> p(star.x0, star.y0);
+        const Real local = longest_squared(star, incident);
         std::uint32_t found = no_id;
         Real longest = 0;
         const auto look_at = [&](std::uint32_t i) {
-            const Phase before = ring.phase_before(i);
-            const Phase after = ring.phase_after(i);
+            const Phase before = star.phase_before(i);
+            const Phase after = star.phase_after(i);
             if (before == after || before == border_phase || after == border_phase) {
                 return;
             }
-            const Real squared = squared_distance(p, link_point(ring, i));
+            const Real squared = squared_distance(p, link_point(star, i));
             const bool is_found_here = after > before || local < longest_squared_;
-            if (is_found_here && squared > allowed(local, p, link_point(ring, i)) &&
+            if (is_found_here && squared > allowed(local, p, link_point(star, i)) &&
                 squared > longest) {
                 found = i;
                 longest = squared;
@@ -327,18 +329,18 @@ private:
             look_at(incident.second);
             return found;
         }
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
+        for (std::uint32_t i = 0; i < star.link_size(); ++i) {
             look_at(i);
         }
         return found;
     }
 
-    // Splits at most one edge, because the ring is stale then; the other edges of a junction wait
+    // Splits at most one edge, because the star is stale then; the other edges of a junction wait
     // for the next step. True if it has.
-    bool refine(std::uint32_t v, Ring<Real>& ring, const IncidentEdges& incident) {
+    bool refine(std::uint32_t v, Star<Real>& star, const IncidentEdges& incident) {
         newest_ = no_id;
-        if (const std::uint32_t i = long_edge(ring, incident);
-            i != no_id && !split(v, ring, incident, i)) {
+        if (const std::uint32_t i = long_edge(star, incident);
+            i != no_id && !split(v, star, incident, i)) {
             work_.deferred.remeshing(v);
         }
         work_.interface_next.push_back(v);
@@ -348,12 +350,12 @@ private:
         return newest_ != no_id;
     }
 
-    bool split(std::uint32_t v, const Ring<Real>& ring, const IncidentEdges& incident,
+    bool split(std::uint32_t v, const Star<Real>& star, const IncidentEdges& incident,
                std::uint32_t i) {
         CurveNeighbours<Real> curve;
-        see_from_centre(complex_, ring, incident, i, curve);
-        Ring<Real>& beyond = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, ring.link[i], beyond);
+        see_from_centre(complex_, star, incident, i, curve);
+        Star<Real>& beyond = work_.other_star;
+        const bool gathered = gather(complex_, work_.submesh.region, star.link[i], beyond);
         if (!beyond.owned) {
             return false;
         }
@@ -369,7 +371,7 @@ private:
                 return false;
             }
         }
-        const Corner corner = prev(ring.corner[i]);
+        const Corner corner = prev(star.corner[i]);
         SplitResult result = dsc::split(work_, corner, point, Wake::all);
         if (result.verdict == Verdict::inverts) {
             point = midpoint<Real>(curve.p1, curve.p2);
@@ -389,8 +391,8 @@ private:
         return owns_place(work_.submesh.region, point);
     }
 
-    bool is_corner(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & vertex_corner) != 0;
+    bool is_feature(std::uint32_t v) const {
+        return (complex_.vertices[v].flags & vertex_feature) != 0;
     }
 
     Work<Real>& work_;
@@ -406,7 +408,7 @@ private:
     Real gap_squared_;
     SizeRule<Real> sizes_;
     bool follows_shape_;
-    BoundaryLimits<Real> wall_;
+    BoundaryLimits<Real> boundary_;
     std::uint32_t newest_ = no_id;
 };
 

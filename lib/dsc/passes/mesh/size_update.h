@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps the targets of edges up to date as the mesh update visits stars: a target that has changed
 // is stored, and those neighbours that it concerns are visited in the next pass. So a change goes
-// from ring to ring, a ring in a pass, and no further than it matters. Flips and smoothing nearby
+// from star to star, a star in a pass, and no further than it matters. Flips and smoothing nearby
 // may change what a target should be without a visit; the slow sweep of `Simulation` finds those.
 // Only owned stars are read and written: the result does not depend on the threads.
 #pragma once
@@ -35,8 +35,8 @@ public:
 
     /// The target at the centre of an owned star, brought up to date. O(degree); O(1) if all edges
     /// are of one length.
-    Real follow(const Ring<Real>& ring) {
-        return is_uniform() ? work_.options.edge_length : follow_star(ring);
+    Real follow(const Star<Real>& star) {
+        return is_uniform() ? work_.options.edge_length : follow_star(star);
     }
 
     /// The target at a vertex, as stored.
@@ -47,52 +47,52 @@ public:
     /// To be called when the centre has been removed: its link is visited in the next pass, since
     /// this one may have visited it already. Coarsening goes on until no vertex is left to be
     /// removed.
-    void look_again(const Ring<Real>& ring) {
+    void look_again(const Star<Real>& star) {
         if (!is_uniform()) {
-            work_.resized.insert(work_.resized.end(), ring.link.begin(),
-                                 ring.link.begin() + ring.link_size());
+            work_.resized.insert(work_.resized.end(), star.link.begin(),
+                                 star.link.begin() + star.link_size());
         }
     }
 
 private:
     // Out of line, so that the update of uniform meshes stays small.
-    [[gnu::noinline]] Real follow_star(const Ring<Real>& ring) {
-        VertexSize<Real>& stored = (*field_)[Vertex{ring.vertex}];
-        if (rule_.is_finest(ring) && stored.length == work_.options.edge_length) {
+    [[gnu::noinline]] Real follow_star(const Star<Real>& star) {
+        VertexSize<Real>& stored = (*field_)[Vertex{star.vertex}];
+        if (rule_.is_finest(star) && stored.length == work_.options.edge_length) {
             return stored.length; // as nearly all of them
         }
         const auto& data = field_->data();
-        if (rule_.stays(ring, data, stored.length, work_.time)) {
+        if (rule_.stays(star, data, stored.length, work_.time)) {
             return stored.length;
         }
-        const VertexSize<Real> now = rule_.at(ring, data, work_.time);
+        const VertexSize<Real> now = rule_.at(star, data, work_.time);
         const Real change = rule_.slack() * std::min(now.length, stored.length);
         const bool is_nearer = std::abs(now.distance - stored.distance) > change;
         // A lowest one that is not there by itself is left over from where the interface was: if it
         // waited for more than the slack, it might wait for ever.
         const bool is_left_over =
             now.length > stored.length &&
-            std::none_of(ring.link.begin(), ring.link.begin() + ring.link_size(),
+            std::none_of(star.link.begin(), star.link.begin() + star.link_size(),
                          [&](std::uint32_t v) { return at(v) < stored.length; });
         if (is_nearer || is_left_over || std::abs(now.length - stored.length) > change) {
             const VertexSize<Real> old = stored;
             stored = now;
-            tell_neighbours(ring, old.length, now.length, is_nearer && rule_.needs_distance());
+            tell_neighbours(star, old.length, now.length, is_nearer && rule_.needs_distance());
         }
         return stored.length;
     }
 
-    void tell_neighbours(const Ring<Real>& ring, Real old, Real now, bool all) {
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            const Real rise = rule_.slope() * std::sqrt(ring.squared_edge(i));
-            const Real theirs = at(ring.link[i]);
+    void tell_neighbours(const Star<Real>& star, Real old, Real now, bool all) {
+        for (std::uint32_t i = 0; i < star.link_size(); ++i) {
+            const Real rise = rule_.slope() * std::sqrt(star.squared_edge(i));
+            const Real theirs = at(star.link[i]);
             // It falls with this one...
             const bool falls = theirs > (now + rise) * (1 + rule_.slack());
             // ...or was held down by it, along the edge or at less than 60 degrees to it, and may
             // have been lower than that by the slack.
             const bool rises = now > old && theirs * (1 + rule_.slack()) > old + Real(0.5) * rise;
             if (all || falls || rises) {
-                work_.resized.push_back(ring.link[i]);
+                work_.resized.push_back(star.link[i]);
             }
         }
     }
@@ -108,11 +108,11 @@ template <class Real>
 std::vector<std::uint32_t> out_of_size(Complex<Real>& complex, const Options<Real>& options) {
     const SizeField<Real>* field = options.sizes.is_uniform() ? nullptr : &size_field(complex);
     std::vector<std::uint32_t> found;
-    Ring<Real> ring;
+    Star<Real> star;
     for (const Vertex v : vertices(complex)) {
-        if (gather(complex, Region{}, v.id, ring)) {
+        if (gather(complex, Region{}, v.id, star)) {
             const Real length = field != nullptr ? (*field)[v].length : options.edge_length;
-            if (is_out_of_size(examine(ring), star_limits(options, ring.phase[0], length))) {
+            if (is_out_of_size(examine(star), star_limits(options, star.phase[0], length))) {
                 found.push_back(v.id);
             }
         }

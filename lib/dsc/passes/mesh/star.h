@@ -55,25 +55,25 @@ struct NeedleEdge {
 /// The longest incident edge beside an interface edge of the star that is longer than the edge by
 /// more than the grading, whose square is given. O(degree).
 template <class Real>
-NeedleEdge needle_edge(const Ring<Real>& ring, Real grading_squared) {
+NeedleEdge needle_edge(const Star<Real>& star, Real grading_squared) {
     Real longest = 0;
     NeedleEdge found;
     const auto look_at = [&](std::uint32_t i, std::uint32_t beside, Real allowed) {
-        const Real squared = ring.squared_edge(i);
-        if (squared > allowed && squared > longest && !ring.is_constrained(i)) {
+        const Real squared = star.squared_edge(i);
+        if (squared > allowed && squared > longest && !star.is_constrained(i)) {
             longest = squared;
             found = {i, beside};
         }
     };
-    const std::uint32_t n = ring.link_size();
+    const std::uint32_t n = star.link_size();
     for (std::uint32_t i = 0; i < n; ++i) {
-        if (ring.is_constrained(i) && ring.phase_before(i) != border_phase &&
-            ring.phase_after(i) != border_phase) {
-            const Real allowed = grading_squared * ring.squared_edge(i);
-            if (i > 0 || ring.closed) {
+        if (star.is_constrained(i) && star.phase_before(i) != border_phase &&
+            star.phase_after(i) != border_phase) {
+            const Real allowed = grading_squared * star.squared_edge(i);
+            if (i > 0 || star.closed) {
                 look_at(i > 0 ? i - 1 : n - 1, i, allowed);
             }
-            if (i + 1 < n || ring.closed) {
+            if (i + 1 < n || star.closed) {
                 look_at(i + 1 < n ? i + 1 : 0, i, allowed);
             }
         }
@@ -84,11 +84,11 @@ NeedleEdge needle_edge(const Ring<Real>& ring, Real grading_squared) {
 /// The longest edge, squared, from link vertex i to the others: that of its triangles after the
 /// centre has gone there. O(degree).
 template <class Real>
-Real longest_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
+Real longest_after_collapse(const Star<Real>& star, std::uint32_t i) {
     Real longest = 0;
-    for (std::uint32_t j = 0; j < ring.size; ++j) {
-        const Real dx = ring.x[j] - ring.x[i];
-        const Real dy = ring.y[j] - ring.y[i];
+    for (std::uint32_t j = 0; j < star.size; ++j) {
+        const Real dx = star.x[j] - star.x[i];
+        const Real dy = star.y[j] - star.y[i];
         longest = std::max(longest, dx * dx + dy * dy);
     }
     return longest;
@@ -96,18 +96,18 @@ Real longest_after_collapse(const Ring<Real>& ring, std::uint32_t i) {
 
 /// Whether no needle beside an interface edge would be split again at once, with the star's
 /// triangles at link vertex i. `grading_squared`: how much longer than that edge an edge may be,
-/// squared; 0: without a limit. The ring must be closed. O(degree).
+/// squared; 0: without a limit. The star must be closed. O(degree).
 template <class Real>
-bool keeps_grading(const Complex<Real>& complex, const Ring<Real>& ring, Real grading_squared,
+bool keeps_grading(const Complex<Real>& complex, const Star<Real>& star, Real grading_squared,
                    std::uint32_t i) {
     if (grading_squared == 0) {
         return true;
     }
-    const std::uint32_t n = ring.size;
+    const std::uint32_t n = star.size;
     const auto squared = [](Real dx, Real dy) { return dx * dx + dy * dy; };
     for (std::uint32_t j = 0; j < n; ++j) {
-        const Phase across = complex.phase_at(complex.twin(ring.corner[j]));
-        if (across == ring.phase[j] || across == border_phase) {
+        const Phase across = complex.phase_at(complex.twin(star.corner[j]));
+        if (across == star.phase[j] || across == border_phase) {
             continue;
         }
         // The apex over this edge: i, or beyond it where i is one of its ends.
@@ -117,9 +117,9 @@ bool keeps_grading(const Complex<Real>& complex, const Ring<Real>& ring, Real gr
                                               : i;
         // Some slack, so that a collapse and a split do not take turns.
         const Real allowed = Real(0.8) * grading_squared *
-                             squared(ring.x_next[j] - ring.x[j], ring.y_next[j] - ring.y[j]);
-        if (squared(ring.x[apex] - ring.x[j], ring.y[apex] - ring.y[j]) > allowed ||
-            squared(ring.x[apex] - ring.x[end], ring.y[apex] - ring.y[end]) > allowed) {
+                             squared(star.x_next[j] - star.x[j], star.y_next[j] - star.y[j]);
+        if (squared(star.x[apex] - star.x[j], star.y[apex] - star.y[j]) > allowed ||
+            squared(star.x[apex] - star.x[end], star.y[apex] - star.y[end]) > allowed) {
             return false;
         }
     }

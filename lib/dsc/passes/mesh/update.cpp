@@ -4,10 +4,10 @@
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/boundary.h"
 #include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/mesh/star.h"
 #include "dsc/passes/waiting.h"
-#include "dsc/passes/wall.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>
@@ -23,15 +23,15 @@ namespace {
 constexpr std::size_t max_flips_at_once = 4096;
 /// Rounds at one vertex: flips and splits change its star, so it is gathered again.
 constexpr int max_turns = 6;
-/// Of the shortest edge, squared: what stops a vertex that moves along a wall. Each pass halves the
-/// edge before it, so that the exact share does not matter.
+/// Of the shortest edge, squared: what stops a vertex that moves along a side of the domain. Each
+/// pass halves the edge before it, so that the exact share does not matter.
 constexpr auto blocking_squared = 0.01F;
 
 template <class Real>
 class MeshUpdate {
 public:
     explicit MeshUpdate(Work<Real>& work)
-        : work_(work), complex_(work.complex), ring_(work.ring), sizes_(work),
+        : work_(work), complex_(work.complex), star_(work.star), sizes_(work),
           grading_squared_(
               static_cast<Real>(work.options.interface.grading * work.options.interface.grading)),
           needle_(grading_squared_ > 0 ? squared_quality_of_needle(grading_squared_) : Real(0)),
@@ -47,41 +47,41 @@ public:
                 list_unexamined(v);
                 return;
             }
-            if (waiting_.applies() && waits(work_, waiting_, ring_)) {
+            if (waiting_.applies() && waits(work_, waiting_, star_)) {
                 list_unexamined(v);
                 deferred(work_, v);
                 return;
             }
             ++work_.log.counts.examined;
-            const StarReport<Real> star = examine(ring_, margins_);
-            if (star.delaunay < 0 && flip_incident_edges()) {
+            const StarReport<Real> report = examine(star_, margins_);
+            if (report.delaunay < 0 && flip_incident_edges()) {
                 continue;
             }
             if (!limits_are_fixed_) {
-                length = length > 0 ? length : sizes_.follow(ring_);
-                limits_ = limits(ring_.phase[0], length);
+                length = length > 0 ? length : sizes_.follow(star_);
+                limits_ = limits(star_.phase[0], length);
             }
             const Limits& limit = limits_;
-            const bool may_move = ring_.one_phase && ring_.closed && !complex_.is_locked(Vertex{v});
+            const bool may_move = star_.one_phase && star_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
-                const bool poor = star.quality < limit.collapse;
+                const bool poor = report.quality < limit.collapse;
                 // A vertex on its way must keep its id: `moving_vertices` refers to it.
                 const bool has_arrived = (complex_.vertices[v].flags & vertex_on_way) == 0;
                 if (has_arrived &&
-                    (poor || star.shortest < limit.shortest || star.longest < limit.crowded) &&
-                    collapse(star, limit)) {
+                    (poor || report.shortest < limit.shortest || report.longest < limit.crowded) &&
+                    collapse(report, limit)) {
                     return;
                 }
-                if (star.quality < limit.smooth && smooth(v, star.quality)) {
+                if (report.quality < limit.smooth && smooth(v, report.quality)) {
                     continue_edges();
                     return;
                 }
             }
-            if (!ring_.closed) {
-                const BoundaryRemeshing done = keep_wall(v, star, length);
+            if (!star_.closed) {
+                const BoundaryRemeshing done = keep_boundary(v, report, length);
                 if (done == BoundaryRemeshing::gone) {
-                    list_unexamined(ring_.link[0]);
-                    list_unexamined(ring_.link[ring_.size]);
+                    list_unexamined(star_.link[0]);
+                    list_unexamined(star_.link[star_.size]);
                     return;
                 }
                 if (done == BoundaryRemeshing::split) {
@@ -89,14 +89,14 @@ public:
                 }
             }
             // Around an interface vertex phases differ, and so may their limits.
-            const bool mixed = !ring_.one_phase && !work_.options.per_phase.empty();
-            if ((mixed || star.longest > limit.longest) && split_longest(length, limit, mixed)) {
+            const bool mixed = !star_.one_phase && !work_.options.per_phase.empty();
+            if ((mixed || report.longest > limit.longest) && split_longest(length, limit, mixed)) {
                 continue;
             }
-            if (!ring_.one_phase && star.quality < needle_ && split_beside_short()) {
+            if (!star_.one_phase && report.quality < needle_ && split_beside_short()) {
                 continue;
             }
-            list_if_poor(v, star.quality);
+            list_if_poor(v, report.quality);
             return;
         }
         list_unexamined(v);
@@ -116,8 +116,8 @@ public:
         if (is_unfinished_ || visited < active.size()) {
             constexpr Real far = 2; // squared: what the turns of one visit would have shortened
             const auto is_done = [&](std::uint32_t v) {
-                return !gather_star(v) || examine(ring_, margins_).longest <=
-                                              far * limits(ring_.phase[0], sizes_.at(v)).longest;
+                return !gather_star(v) || examine(star_, margins_).longest <=
+                                              far * limits(star_.phase[0], sizes_.at(v)).longest;
             };
             for (const std::uint32_t v : std::span(active).subspan(visited)) {
                 list_unexamined(v);
@@ -137,11 +137,11 @@ private:
     }
 
     bool gather_star(std::uint32_t v) {
-        const bool gathered = gather(complex_, work_.submesh.region, v, ring_);
-        if (!ring_.owned) {
+        const bool gathered = gather(complex_, work_.submesh.region, v, star_);
+        if (!star_.owned) {
             work_.deferred.star(v);
         }
-        return gathered && ring_.owned;
+        return gathered && star_.owned;
     }
 
     // --- what is told to who watches the quality ----------------------------------------------
@@ -158,30 +158,30 @@ private:
     bool flip_incident_edges() {
         const std::uint64_t before = work_.log.counts.flips;
         work_.candidates.clear();
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
+        for (std::uint32_t i = 0; i < star_.size; ++i) {
             if (margins_[i] < 0) {
-                work_.candidates.push_back(prev(ring_.corner[i]));
+                work_.candidates.push_back(prev(star_.corner[i]));
             }
         }
         drain();
         return work_.log.counts.flips != before;
     }
 
-    // The edges of the ring's triangles, after its centre moved: data that the ring holds are not
+    // The edges of the star's triangles, after its centre moved: data that the star holds are not
     // looked up again, and only edges that fail are put on the list.
     void continue_edges() {
         work_.candidates.clear();
-        (void)examine(ring_, margins_);
-        const Point<Real> centre(ring_.x0, ring_.y0);
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            const Corner across = complex_.twin(ring_.corner[i]);
-            if (complex_.phase_at(across) == ring_.phase[i] &&
-                !is_delaunay<Real>(centre, {ring_.x[i], ring_.y[i]}, apex(across),
-                                   {ring_.x_next[i], ring_.y_next[i]})) {
-                work_.candidates.push_back(ring_.corner[i]);
+        (void)examine(star_, margins_);
+        const Point<Real> centre(star_.x0, star_.y0);
+        for (std::uint32_t i = 0; i < star_.size; ++i) {
+            const Corner across = complex_.twin(star_.corner[i]);
+            if (complex_.phase_at(across) == star_.phase[i] &&
+                !is_delaunay<Real>(centre, {star_.x[i], star_.y[i]}, apex(across),
+                                   {star_.x_next[i], star_.y_next[i]})) {
+                work_.candidates.push_back(star_.corner[i]);
             }
             if (margins_[i] < 0) {
-                work_.candidates.push_back(prev(ring_.corner[i]));
+                work_.candidates.push_back(prev(star_.corner[i]));
             }
         }
         drain();
@@ -243,20 +243,20 @@ private:
 
     // --- coarsening ---------------------------------------------------------------------------
     /// Collapses the centre into the link vertex that leaves the best triangles.
-    bool collapse(const StarReport<Real>& star, const Limits& limit) {
-        if (ring_.size < 4) {
+    bool collapse(const StarReport<Real>& report, const Limits& limit) {
+        if (star_.size < 4) {
             // Degree three: the link is the triangle that will remain.
-            return ring_.size == 3 && finish_collapse(0);
+            return star_.size == 3 && finish_collapse(0);
         }
         // A short incident edge may cost quality, down to where the star would be collapsed for
         // that.
-        const bool is_short = star.shortest < limit.shortest || star.longest < limit.crowded;
-        Real best = is_short ? std::min(star.quality, limit.collapse) : star.quality;
+        const bool is_short = report.shortest < limit.shortest || report.longest < limit.crowded;
+        Real best = is_short ? std::min(report.quality, limit.collapse) : report.quality;
         std::uint32_t best_edge = no_id;
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            const Real after = worst_quality_squared_after_collapse(ring_, i);
-            if (after > best && longest_after_collapse(ring_, i) <= longest_about(i, limit) &&
-                keeps_grading(complex_, ring_, grading_squared_, i)) {
+        for (std::uint32_t i = 0; i < star_.size; ++i) {
+            const Real after = worst_quality_squared_after_collapse(star_, i);
+            if (after > best && longest_after_collapse(star_, i) <= longest_about(i, limit) &&
+                keeps_grading(complex_, star_, grading_squared_, i)) {
                 best = after;
                 best_edge = i;
             }
@@ -266,58 +266,59 @@ private:
 
     /// How long the edges of link vertex i may become by a collapse, squared.
     Real longest_about(std::uint32_t i, const Limits& limit) const {
-        const Real target = sizes_.at(ring_.link[i]);
+        const Real target = sizes_.at(star_.link[i]);
         return Real(1.44) *
-               (sizes_.is_uniform() ? limit.longest : limits(ring_.phase[0], target).longest);
+               (sizes_.is_uniform() ? limit.longest : limits(star_.phase[0], target).longest);
     }
 
     bool finish_collapse(std::uint32_t i) {
-        const std::uint32_t target = ring_.link[i];
-        if (collapse_star(work_, ring_, i) != Verdict::legal) {
+        const std::uint32_t target = star_.link[i];
+        if (collapse_star(work_, star_, i) != Verdict::legal) {
             return false;
         }
         list_unexamined(target);
-        sizes_.look_again(ring_);
+        sizes_.look_again(star_);
         // Restore the Delaunay condition around the vertex that took over the star.
-        Ring<Real>& star = work_.other_ring;
-        if (gather(complex_, work_.submesh.region, target, star) && star.owned &&
-            examine(star, margins_).delaunay < 0) {
+        Star<Real>& other = work_.other_star;
+        if (gather(complex_, work_.submesh.region, target, other) && other.owned &&
+            examine(other, margins_).delaunay < 0) {
             work_.candidates.clear();
-            for (std::uint32_t j = 0; j < star.size; ++j) {
-                work_.candidates.push_back(prev(star.corner[j]));
+            for (std::uint32_t j = 0; j < other.size; ++j) {
+                work_.candidates.push_back(prev(other.corner[j]));
             }
             drain();
         }
         return true;
     }
 
-    // --- walls of the exterior phase ----------------------------------------------------------
+    // --- sides of the exterior phase ----------------------------------------------------------
     enum class BoundaryRemeshing : std::uint8_t { none, gone, split };
 
-    BoundaryRemeshing keep_wall(std::uint32_t v, const StarReport<Real>& star, Real length) {
-        const bool is_exterior_first = ring_.phase[0] == exterior_phase;
+    BoundaryRemeshing keep_boundary(std::uint32_t v, const StarReport<Real>& report, Real length) {
+        const bool is_exterior_first = star_.phase[0] == exterior_phase;
         // Edges of one length need no look from their other end.
         const bool is_exterior_last =
-            !sizes_.is_uniform() && ring_.phase[ring_.size - 1] == exterior_phase;
+            !sizes_.is_uniform() && star_.phase[star_.size - 1] == exterior_phase;
         if (!is_exterior_first && !is_exterior_last) {
             return BoundaryRemeshing::none;
         }
         const Limits& limit = is_exterior_first ? limits_ : limits(exterior_phase, length);
-        const bool is_poor = star.quality < limit.collapse;
-        const BoundaryLimits<Real> wall{
+        const bool is_poor = report.quality < limit.collapse;
+        const BoundaryLimits<Real> boundary{
             limit.longest, limit.shortest,
-            std::sqrt(std::clamp(star.quality, Real(0), limit.collapse)),
+            std::sqrt(std::clamp(report.quality, Real(0), limit.collapse)),
             blocking_squared * limit.shortest};
-        if (should_collapse_on_wall(ring_, wall, is_poor) && collapse_on_wall(work_, ring_, wall)) {
-            sizes_.look_again(ring_);
+        if (should_collapse_on_boundary(star_, boundary, is_poor) &&
+            collapse_on_boundary(work_, star_, boundary)) {
+            sizes_.look_again(star_);
             return BoundaryRemeshing::gone;
         }
         for (const bool is_first : {true, false}) {
             if (!(is_first ? is_exterior_first : is_exterior_last) ||
-                !should_split_wall(ring_, wall, is_first)) {
+                !should_split_boundary(star_, boundary, is_first)) {
                 continue;
             }
-            const SplitResult result = split_wall(work_, ring_, is_first);
+            const SplitResult result = split_boundary(work_, star_, is_first);
             if (is_deferred(result.verdict)) {
                 work_.deferred.star(v);
             }
@@ -335,16 +336,16 @@ private:
     bool smooth(std::uint32_t v, Real before) {
         Real sum_x = 0;
         Real sum_y = 0;
-        for (std::uint32_t i = 0; i < ring_.size; ++i) {
-            sum_x += ring_.x[i] - ring_.x0;
-            sum_y += ring_.y[i] - ring_.y0;
+        for (std::uint32_t i = 0; i < star_.size; ++i) {
+            sum_x += star_.x[i] - star_.x0;
+            sum_y += star_.y[i] - star_.y0;
         }
-        const Real share = Real(1) / static_cast<Real>(ring_.size);
+        const Real share = Real(1) / static_cast<Real>(star_.size);
         Real best = before;
         Real best_x = 0;
         Real best_y = 0;
         const auto look_at = [&](Real px, Real py) {
-            const Real after = worst_quality_squared(ring_, px, py);
+            const Real after = worst_quality_squared(star_, px, py);
             if (after > best) {
                 best = after;
                 best_x = px;
@@ -352,9 +353,9 @@ private:
             }
         };
         for (const Real step : {Real(1), Real(0.5)}) {
-            look_at(ring_.x0 + step * share * sum_x, ring_.y0 + step * share * sum_y);
+            look_at(star_.x0 + step * share * sum_x, star_.y0 + step * share * sum_y);
         }
-        if (!(best > before) || !all_positive(ring_, best_x, best_y)) {
+        if (!(best > before) || !all_positive(star_, best_x, best_y)) {
             return false;
         }
         if (!owns_place<Real>(work_.submesh.region, {best_x, best_y})) {
@@ -362,8 +363,8 @@ private:
             return false;
         }
         rewire::move(complex_, work_.log, v, best_x, best_y, MoveReason::smoothing);
-        ring_.x0 = best_x;
-        ring_.y0 = best_y;
+        star_.x0 = best_x;
+        star_.y0 = best_y;
         list_if_poor(v, best);
         return true;
     }
@@ -372,10 +373,10 @@ private:
     bool split_longest(Real length, const Limits& limit, bool mixed) {
         Real longest = 0;
         std::uint32_t incident_edge = no_id;
-        for (std::uint32_t i = ring_.closed ? 0 : 1; i < ring_.size; ++i) {
-            const Real squared = ring_.squared_edge(i);
-            const Real allowed = mixed ? limits(ring_.phase[i], length).longest : limit.longest;
-            if (squared > allowed && squared > longest && !ring_.is_constrained(i)) {
+        for (std::uint32_t i = star_.closed ? 0 : 1; i < star_.size; ++i) {
+            const Real squared = star_.squared_edge(i);
+            const Real allowed = mixed ? limits(star_.phase[i], length).longest : limit.longest;
+            if (squared > allowed && squared > longest && !star_.is_constrained(i)) {
                 longest = squared;
                 incident_edge = i;
             }
@@ -384,7 +385,7 @@ private:
     }
 
     bool split_beside_short() {
-        const NeedleEdge found = needle_edge(ring_, grading_squared_);
+        const NeedleEdge found = needle_edge(star_, grading_squared_);
         if (found.incident_edge == no_id) {
             return false;
         }
@@ -392,28 +393,28 @@ private:
         // edge is short only temporarily: a vertex made now would be removed in the next pass or
         // colour, and made again.
         if (!work_.submesh.region.is_whole() &&
-            (is_waiting(complex_, ring_.vertex) || is_waiting(complex_, ring_.link[found.base]))) {
-            work_.deferred.star(ring_.vertex);
+            (is_waiting(complex_, star_.vertex) || is_waiting(complex_, star_.link[found.base]))) {
+            work_.deferred.star(star_.vertex);
             return false;
         }
         // A thin film consists of needles from sheet to sheet: a vertex inside would have no room,
         // and would be removed again.
-        Ring<Real>& beyond = work_.other_ring;
-        return gather(complex_, work_.submesh.region, ring_.link[found.incident_edge], beyond) &&
+        Star<Real>& beyond = work_.other_star;
+        return gather(complex_, work_.submesh.region, star_.link[found.incident_edge], beyond) &&
                beyond.one_phase && split_incident_edge(found.incident_edge);
     }
 
     bool split_incident_edge(std::uint32_t incident_edge) {
         const Point<Real> middle =
-            midpoint<Real>({ring_.x0, ring_.y0}, {ring_.x[incident_edge], ring_.y[incident_edge]});
+            midpoint<Real>({star_.x0, star_.y0}, {star_.x[incident_edge], star_.y[incident_edge]});
         if (!owns_place(work_.submesh.region, middle)) {
-            work_.deferred.star(ring_.vertex);
+            work_.deferred.star(star_.vertex);
             return false;
         }
         const SplitResult result =
-            dsc::split(work_, prev(ring_.corner[incident_edge]), middle, Wake::far_end);
+            dsc::split(work_, prev(star_.corner[incident_edge]), middle, Wake::far_end);
         if (result.verdict == Verdict::out_of_ids) {
-            work_.deferred.star(ring_.vertex);
+            work_.deferred.star(star_.vertex);
         }
         if (result.verdict == Verdict::legal) {
             list_unexamined(result.vertex.id);
@@ -423,7 +424,7 @@ private:
 
     Work<Real>& work_;
     Complex<Real>& complex_;
-    Ring<Real>& ring_;
+    Star<Real>& star_;
     SizeUpdate<Real> sizes_;
     Real grading_squared_;
     // Squared quality of a needle with a base of 1 and legs of the grading; 0: none are split.

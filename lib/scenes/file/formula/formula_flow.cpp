@@ -16,7 +16,7 @@ void evaluate(const FormulaGraph& graph, const std::array<FormulaNodeId, n>& com
     constexpr std::array variables{FormulaGraph::x, FormulaGraph::y, FormulaGraph::z};
     assert(positions.size() == velocities.size());
     const auto nodes = graph.nodes();
-    alignas(64) std::array<double, most_formula_nodes * formula_row_length> rows;
+    alignas(64) std::array<double, max_formula_nodes * formula_row_length> rows;
     const auto row = [&](FormulaNodeId id) {
         return id < 0 ? nullptr : rows.data() + static_cast<std::size_t>(id) * formula_row_length;
     };

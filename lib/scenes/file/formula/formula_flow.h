@@ -17,7 +17,7 @@ namespace dsc::scenes {
 inline constexpr std::size_t longest_formula = 4096; ///< characters
 inline constexpr int deepest_formula = 64;           ///< parentheses within each other
 /// Operations of the two formulas together.
-inline constexpr std::size_t most_formula_nodes = 512;
+inline constexpr std::size_t max_formula_nodes = 512;
 
 /// True for a name that a parameter may have: letters, digits and _, with a letter first, and not
 /// that of a variable or a function.

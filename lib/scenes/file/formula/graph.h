@@ -26,8 +26,8 @@ using RowOperation = void (*)(const double* a, const double* b, const double* c,
 struct NamedOperation {
     std::string_view name;
     RowOperation operation;
-    int least_arguments = 2;
-    int most_arguments = 2; ///< min and max take more, two by two
+    int min_arguments = 2;
+    int max_arguments = 2; ///< min and max take more, two by two
 };
 
 /// In alphabetical order.

@@ -71,9 +71,9 @@ private:
     }
 
     void check_size() const {
-        if (graph_.nodes().size() > most_formula_nodes) {
+        if (graph_.nodes().size() > max_formula_nodes) {
             refuse("too many operations",
-                   "at most " + std::to_string(most_formula_nodes) + " in both components");
+                   "at most " + std::to_string(max_formula_nodes) + " in both components");
         }
     }
 
@@ -217,11 +217,11 @@ private:
         expect("(");
         FormulaNodeId value = formula();
         int count = 1;
-        for (; count < function.most_arguments && take(","); ++count) {
+        for (; count < function.max_arguments && take(","); ++count) {
             value = graph_.apply(function.operation, value, formula());
         }
-        if (count < function.least_arguments) {
-            refuse("argument missing", std::to_string(function.least_arguments) + " arguments of " +
+        if (count < function.min_arguments) {
+            refuse("argument missing", std::to_string(function.min_arguments) + " arguments of " +
                                            std::string(function.name));
         }
         expect(")");

@@ -15,7 +15,7 @@ namespace {
 using std::numbers::pi;
 
 /// Edges of one outline: far more than a mesh could hold.
-constexpr double most_edges_of_shape = 1e6;
+constexpr double max_edges_of_shape = 1e6;
 
 const std::vector<std::string> source_kinds{"points", "file", "circle", "ellipse", "rectangle"};
 
@@ -40,7 +40,7 @@ OutlineSource ellipse(const TableReader& reader, const Point<double>& radii, dou
     };
     const double length = 2 * pi * radii.maxCoeff();
     const auto pieces = [=, where = reader.where()](double h) {
-        require(length / h <= most_edges_of_shape, where + ": edge length", h,
+        require(length / h <= max_edges_of_shape, where + ": edge length", h,
                 "at most 1000000 edges of the shape");
         const int count = std::max(8, static_cast<int>(std::ceil(length / h)));
         std::vector<Point<double>> points;

@@ -71,8 +71,8 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         Point<double> p;
         std::string rest;
         if (!(words >> p.x() >> p.y()) || words >> rest ||
-            !(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count > most_points) {
-            throw InputError({.what = count > most_points ? "too many points" : "not a point",
+            !(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count > max_points) {
+            throw InputError({.what = count > max_points ? "too many points" : "not a point",
                               .where = where + ':' + std::to_string(number),
                               .value = quoted_excerpt(whole),
                               .allowed = "two numbers x y, at most 1000000 lines of them"});

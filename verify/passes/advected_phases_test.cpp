@@ -15,26 +15,26 @@
 #include <cmath>
 #include <map>
 
-namespace dsc::carried_phases_test {
+namespace dsc::advected_phases_test {
 namespace {
 
 using test::Course;
 
 constexpr double h_of_disc = 0.03;
 
-Complex<double> disc_to_carry() { return test::disc_complex<double>(h_of_disc, {0.4, 0.5}, 0.2); }
+Complex<double> disc_to_advect() { return test::disc_complex<double>(h_of_disc, {0.4, 0.5}, 0.2); }
 
 // Whatever shape the triangles of phase 1 have at the start is good enough.
 Options<double> carrying() {
     Options<double> options = test::options_for<double>(h_of_disc);
-    options.carried_phases = {1};
+    options.advected_phases = {1};
     options.per_phase = {{}, {.collapse_quality = 0, .smooth_quality = 0}};
     return options;
 }
 
 const Velocity<double> drift = test::constant<double>(0.8, 0.3);
 
-void run_carried(Simulation<double>& simulation, const Velocity<double>& velocity, int steps) {
+void run_advected(Simulation<double>& simulation, const Velocity<double>& velocity, int steps) {
     constexpr double dt = 0.1 * h_of_disc;
     for (int step = 0; step < steps; ++step) {
         EXPECT_EQ(simulation.step(velocity, step * dt, dt).unreached, 0U);
@@ -51,10 +51,10 @@ TriangleMap triangles_inside(const Complex<double>& complex) {
     return all;
 }
 
-class CarriedPhase : public testing::TestWithParam<Course> {};
+class AdvectedPhase : public testing::TestWithParam<Course> {};
 
-TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
-    Complex<double> complex = disc_to_carry();
+TEST_P(AdvectedPhase, KeepsItsTrianglesInARigidMotion) {
+    Complex<double> complex = disc_to_advect();
     auto& first = complex.attributes.add<Vertex, Point<double>>("first", Point<double>(0, 0));
     for (const Vertex v : vertices(complex)) {
         first[v] = complex.position(v);
@@ -62,7 +62,7 @@ TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
     auto simulation = make_simulation(complex, carrying(), GetParam());
     const TriangleMap before = triangles_inside(complex);
     const std::size_t on_curve = simulation->interface_size();
-    run_carried(*simulation, drift, 60);
+    run_advected(*simulation, drift, 60);
     test::expect_sound(complex, *simulation);
     EXPECT_EQ(simulation->interface_size(), on_curve);
     // Create and merge gives everything new ids, as the thesis does.
@@ -80,7 +80,7 @@ TEST_P(CarriedPhase, KeepsItsTrianglesInARigidMotion) {
 
 // Vertices that are inserted inside move from then on; those that were removed do no harm. In a
 // field that is linear in the place every vertex knows where it has to be.
-TEST_P(CarriedPhase, MovesTheVerticesThatAreNewInside) {
+TEST_P(AdvectedPhase, MovesTheVerticesThatAreNewInside) {
     Complex<double> complex = test::disc_complex<double>(h_of_disc, {0.5, 0.5}, 0.1);
     auto& first = complex.attributes.add<Vertex, Point<double>>("first", Point<double>(0, 0));
     for (const Vertex v : vertices(complex)) {
@@ -103,7 +103,7 @@ TEST_P(CarriedPhase, MovesTheVerticesThatAreNewInside) {
     EXPECT_GT(triangles_inside(complex).size(), before + 5);
     const double grown = std::exp(120 * dt);
     for (const Vertex v : vertices(complex)) {
-        if (is_carried<double>(complex, options.carried_phases, v)) {
+        if (is_advected<double>(complex, options.advected_phases, v)) {
             const Point<double> from = first[v] - centre;
             const Point<double> there = centre + Point<double>(grown * from.x(), from.y() / grown);
             EXPECT_LT((complex.position(v) - there).norm(), 1e-6) << "vertex " << v.id;
@@ -111,32 +111,32 @@ TEST_P(CarriedPhase, MovesTheVerticesThatAreNewInside) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, CarriedPhase, testing::ValuesIn(test::all_courses),
+INSTANTIATE_TEST_SUITE_P(Passes, AdvectedPhase, testing::ValuesIn(test::all_courses),
                          test::course_name);
 
-TEST(CarriedPhases, CanBeChosenBetweenTwoSteps) {
-    Complex<double> complex = disc_to_carry();
+TEST(AdvectedPhases, CanBeChosenBetweenTwoSteps) {
+    Complex<double> complex = disc_to_advect();
     const Options<double> options = test::options_for<double>(h_of_disc);
     Simulation<double> simulation(complex, options);
-    run_carried(simulation, drift, 10);
+    run_advected(simulation, drift, 10);
     simulation.set_options(carrying());
-    run_carried(simulation, drift, 1); // flips that were due
+    run_advected(simulation, drift, 1); // flips that were due
     const TriangleMap before = triangles_inside(complex);
-    run_carried(simulation, drift, 20);
+    run_advected(simulation, drift, 20);
     EXPECT_EQ(triangles_inside(complex), before);
     renumber(complex);
-    run_carried(simulation, drift, 1);
+    run_advected(simulation, drift, 1);
     const TriangleMap renumbered = triangles_inside(complex);
-    run_carried(simulation, drift, 10);
+    run_advected(simulation, drift, 10);
     EXPECT_EQ(triangles_inside(complex), renumbered);
     simulation.set_options(options);
-    run_carried(simulation, drift, 20);
+    run_advected(simulation, drift, 20);
     test::expect_sound(complex, simulation);
     EXPECT_NE(triangles_inside(complex), renumbered);
 }
 
-TEST(CarriedPhases, RefuseAFlowThatIsNotKnownInside) {
-    Complex<double> complex = disc_to_carry();
+TEST(AdvectedPhases, RefuseAFlowThatIsNotKnownInside) {
+    Complex<double> complex = disc_to_advect();
     Simulation<double> simulation(complex, carrying());
     const auto outwards = vertex_flow<double>(
         [](const auto& view, std::size_t i, double) { return normal(view, i); });
@@ -145,4 +145,4 @@ TEST(CarriedPhases, RefuseAFlowThatIsNotKnownInside) {
 }
 
 } // namespace
-} // namespace dsc::carried_phases_test
+} // namespace dsc::advected_phases_test

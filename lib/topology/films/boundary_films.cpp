@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/wall_films.h"
+#include "topology/films/boundary_films.h"
 
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
@@ -23,9 +23,9 @@ namespace {
 constexpr double length_of_wedge = 1.5;
 /// Up to this many, it is a part of the film that has opened there.
 constexpr double same_film = 12;
-/// The share of an edge of the wall that is near its end.
+/// The share of a boundary edge that is near its end.
 constexpr double near_foot = 0.25;
-/// An interface edge near the wall, with the film on its left.
+/// An interface edge near the domain boundary, with the film on its left.
 template <class Real>
 struct BoundaryChord {
     Corner sheet;
@@ -34,9 +34,9 @@ struct BoundaryChord {
 };
 
 template <class Real>
-class WallFilms {
+class BoundaryFilms {
 public:
-    WallFilms(TopologyWork<Real>& work, std::span<const Candidate> candidates)
+    BoundaryFilms(TopologyWork<Real>& work, std::span<const Candidate> candidates)
         : work_(work), complex_(work.complex), candidates_(candidates) {}
 
     void run() {
@@ -99,7 +99,7 @@ private:
     }
 
     void add_chord(Corner sheet, std::vector<BoundaryChord<Real>>& chords) const {
-        if (const FilmRay<Real> ray = ray_of(sheet); ray.wall != no_id) {
+        if (const FilmRay<Real> ray = ray_of(sheet); ray.boundary != no_id) {
             chords.push_back({sheet, ray});
         }
     }
@@ -109,14 +109,15 @@ private:
         return slot < candidates_.size() && candidates_[slot].vertex == v;
     }
 
-    // To the wall, if that is within the contact distance.
+    // To the domain boundary, if that is within the contact distance.
     [[nodiscard]] FilmRay<Real> ray_of(Corner sheet) const {
         const Real contact = contact_of(sheet);
         if (!(contact > 0)) {
             return {};
         }
         const FilmRay<Real> ray = cross_film(complex_, sheet, contact, [](Triangle, Real, Real) {});
-        return ray.wall != no_id && faces(complex_, sheet, ray.wall) ? ray : FilmRay<Real>{};
+        return ray.boundary != no_id && faces(complex_, sheet, ray.boundary) ? ray
+                                                                             : FilmRay<Real>{};
     }
 
     // The contact distance at a sheet, however wide; 0 where the topology is kept.
@@ -126,7 +127,7 @@ private:
         return rule.rule == Topology::change ? rule.contact : Real(0);
     }
 
-    // Successive chords. If the curve ends on the wall nearby, they are the wedge there.
+    // Successive chords. If the curve ends on the domain boundary nearby, they are the wedge there.
     void visit_run(std::size_t first) {
         std::vector<BoundaryChord<Real>> run;
         for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
@@ -166,8 +167,8 @@ private:
             return false;
         }
         chord.ray = ray_of(chord.sheet);
-        return chord.ray.wall != no_id &&
-               (work_.options.opening != Opening::squeezed || is_squeezed_to_wall(chord));
+        return chord.ray.boundary != no_id &&
+               (work_.options.opening != Opening::squeezed || is_squeezed_to_boundary(chord));
     }
 
     // Held up for good, at both ends.
@@ -178,8 +179,8 @@ private:
         return is_end_stuck(next(sheet)) && is_end_stuck(prev(sheet));
     }
 
-    // From the end of the half-edge along the curve to where that ends on the wall, if that is near
-    // enough to matter; 0 where it ends itself, or is of the interface no longer.
+    // From the end of the half-edge along the curve to where that ends on the domain boundary, if
+    // that is near enough to matter; 0 where it ends itself, or is of the interface no longer.
     [[nodiscard]] Real way_to_end(Corner sheet, Real contact) const {
         if (!is_sheet(complex_, sheet)) {
             return 0;
@@ -196,8 +197,8 @@ private:
         return length;
     }
 
-    // Whether the half-edge leads to an end of the curve on the wall nearby, past vertices that the
-    // wall holds up: they land one after the other, from that end.
+    // Whether the half-edge leads to an end of the curve on the domain boundary nearby, past
+    // vertices that the boundary holds up: they land one after the other, from that end.
     [[nodiscard]] bool is_to_land(Corner sheet, Real near) const {
         Real length = 0;
         Corner c = sheet;
@@ -211,27 +212,28 @@ private:
         return false;
     }
 
-    // As between two sheets, of which the second one is the image of the first on the wall.
-    [[nodiscard]] bool is_squeezed_to_wall(const BoundaryChord<Real>& chord) const {
-        const Point<Real> foot = at(complex_.vertex(next(chord.ray.wall)));
-        const Point<Real> along = direction(complex_, chord.ray.wall).normalized();
+    // As between two sheets, of which the second one is the image of the first on the domain
+    // boundary.
+    [[nodiscard]] bool is_squeezed_to_boundary(const BoundaryChord<Real>& chord) const {
+        const Point<Real> foot = at(complex_.vertex(next(chord.ray.boundary)));
+        const Point<Real> along = direction(complex_, chord.ray.boundary).normalized();
         std::array<Point<Real>, 4> now;
         std::array<Point<Real>, 4> then;
         for (std::size_t i = 0; i < 2; ++i) {
             const std::uint32_t v = complex_.vertex(i == 0 ? next(chord.sheet) : prev(chord.sheet));
             const auto& record = complex_.vertices[v];
             if ((record.flags & vertex_contact) != 0) {
-                return true; // the wall holds it up, if only for the first time
+                return true; // the domain boundary holds it up, if only for the first time
             }
             if (record.slot >= candidates_.size() || candidates_[record.slot].vertex != v) {
                 return false;
             }
-            const auto of_wall = [&](const Point<Real>& p) {
+            const auto of_boundary = [&](const Point<Real>& p) {
                 const Point<Real> from = p - foot;
                 return Point<Real>(-along.dot(from), -cross<Real>(along, from));
             };
-            now[i] = of_wall({record.x, record.y});
-            then[i] = of_wall(place_before(work_, v));
+            now[i] = of_boundary({record.x, record.y});
+            then[i] = of_boundary(place_before(work_, v));
             now[3 - i] = {now[i].x(), 0};
             then[3 - i] = {then[i].x(), 0};
         }
@@ -245,7 +247,7 @@ private:
     }
 
     // The film is divided by whole triangles: they must not be coarse, and below a junction each of
-    // the two phases is to reach the wall.
+    // the two phases is to reach the domain boundary.
     void prepare(const std::vector<Sheet>& sheets, Real contact) {
         for (const Sheet& sheet : sheets) {
             is_refined_ = refine_film<Real>(work_, sheet, contact) || is_refined_;
@@ -260,20 +262,20 @@ private:
         }
     }
 
-    // At the foot of the vertex between the two, unless a vertex of the wall is near it.
+    // At the foot of the vertex between the two, unless a boundary vertex is near it.
     bool split_below(const Sheet& one, const Sheet& other) {
         for (const Sheet& sheet : {one, other}) {
-            const Corner wall = ray_of(half_edge(sheet)).wall;
-            if (wall == no_id) {
+            const Corner boundary = ray_of(half_edge(sheet)).boundary;
+            if (boundary == no_id) {
                 continue;
             }
-            const Point<Real> from = at(complex_.vertex(next(wall)));
-            const Point<Real> along = direction(complex_, wall);
+            const Point<Real> from = at(complex_.vertex(next(boundary)));
+            const Point<Real> along = direction(complex_, boundary);
             const Real share = (at(one[1].id) - from).dot(along) / along.squaredNorm();
             const Point<Real> foot = from + share * along;
             if (std::min(share, 1 - share) > static_cast<Real>(near_foot) &&
-                orientation<Real>(from, foot, at(complex_.vertex(prev(wall)))) == 0) {
-                return edge_split(Submesh(complex_), wall, foot).verdict == Verdict::legal;
+                orientation<Real>(from, foot, at(complex_.vertex(prev(boundary)))) == 0) {
+                return edge_split(Submesh(complex_), boundary, foot).verdict == Verdict::legal;
             }
         }
         return false;
@@ -347,11 +349,11 @@ private:
 } // namespace
 
 template <class Real>
-void open_wall_films(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
-    WallFilms<Real>(work, candidates).run();
+void open_boundary_films(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
+    BoundaryFilms<Real>(work, candidates).run();
 }
 
-template void open_wall_films(TopologyWork<double>&, std::span<const Candidate>);
-template void open_wall_films(TopologyWork<float>&, std::span<const Candidate>);
+template void open_boundary_films(TopologyWork<double>&, std::span<const Candidate>);
+template void open_boundary_films(TopologyWork<float>&, std::span<const Candidate>);
 
 } // namespace dsc

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dsc::wall_films_test {
+namespace dsc::boundary_films_test {
 namespace {
 
 using namespace test::growing_discs;
@@ -21,12 +21,12 @@ using P = Point<double>;
 constexpr double radius = 0.2;
 constexpr int steps = 60;
 
-// A disc that comes to a wall, or to two walls.
+// A disc that comes to the domain boundary, or to two sides.
 struct Approach {
     P centre;
-    P way;       ///< that it is carried
+    P way;       ///< that it is advected
     double rise; ///< of its radius
-    std::size_t walls;
+    std::size_t sides;
 };
 const Approach falls{{0.5, 0.4}, {0, -0.3}, 0, 1};
 const Approach grows{{0.5, 0.3}, {0, 0}, 0.16, 1};
@@ -59,15 +59,15 @@ Wetted run(const Approach& approach, const test::ChangingOptions<double>& option
 
 void expect_clipped(const Wetted& run, const Approach& approach, double edge_length) {
     EXPECT_EQ(run.unreached, 0U);
-    EXPECT_EQ(count(run.events, EventKind::meet), approach.walls);
+    EXPECT_EQ(count(run.events, EventKind::meet), approach.sides);
     EXPECT_EQ(count(run.events, EventKind::fill) + count(run.events, EventKind::split), 0U);
-    // Between two walls a corner of the exterior is cut off.
+    // Between two sides a corner of the exterior is cut off.
     std::array<std::size_t, 2> pieces{};
     for (const auto& component : components(run.complex).list) {
         ++pieces.at(component.phase);
     }
-    EXPECT_EQ(pieces, (std::array<std::size_t, 2>{approach.walls, 1}));
-    // Nothing thin is left along the walls.
+    EXPECT_EQ(pieces, (std::array<std::size_t, 2>{approach.sides, 1}));
+    // Nothing thin is left along the sides of the domain.
     for (const Vertex v : vertices(run.complex)) {
         const P p = run.complex.position(v);
         EXPECT_FALSE(std::min(p.x(), p.y()) > 0 && std::min(p.x(), p.y()) < 1e-3 * edge_length);
@@ -82,7 +82,7 @@ void expect_clipped(const Wetted& run, const Approach& approach, double edge_len
     EXPECT_LT(there.only_first + missing, 0.25 * edge_length * edge_length);
 }
 
-TEST(WallFilms, ADiscWetsTheWallThatItComesTo) {
+TEST(BoundaryFilms, ADiscWetsTheBoundaryThatItComesTo) {
     for (const double length : {0.04, 0.02, 0.01}) {
         for (const auto& approach : {falls, grows, grows_to_corner}) {
             SCOPED_TRACE(testing::Message() << length << ", " << approach.centre.transpose());
@@ -91,7 +91,7 @@ TEST(WallFilms, ADiscWetsTheWallThatItComesTo) {
     }
 }
 
-TEST(WallFilms, OpenAtAContactOfSeveralEdges) {
+TEST(BoundaryFilms, OpenAtAContactOfSeveralEdges) {
     for (const auto& approach : {falls, grows}) {
         const Wetted result = run(approach, wide(3 * h));
         expect_clipped(result, approach, h);
@@ -104,7 +104,7 @@ TEST(WallFilms, OpenAtAContactOfSeveralEdges) {
     }
 }
 
-TEST(WallFilms, StayWhereTheApplicationSaysNo) {
+TEST(BoundaryFilms, StayWhereTheApplicationSaysNo) {
     auto asked = wide(0);
     int times = 0;
     asked.topology.may_change = [&](const Contact& contact) {
@@ -121,8 +121,8 @@ TEST(WallFilms, StayWhereTheApplicationSaysNo) {
     EXPECT_TRUE(run(falls, kept).events.empty());
 }
 
-// A cap on the wall that is pressed against it: without a refusal it spreads.
-TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
+// A cap on the domain boundary that is pressed against it: without a refusal it spreads.
+TEST(BoundaryFilms, NoVertexWetsTheBoundaryWhereTheApplicationSaysNo) {
     for (const bool refuses : {false, true}) {
         std::vector<P> arc;
         for (int i = 0; i <= 30; ++i) {
@@ -150,7 +150,7 @@ TEST(WallFilms, NoVertexWetsTheWallWhereTheApplicationSaysNo) {
 
 // --- what is thin, but no film that is squeezed -------------------------------------------------
 
-// The curve, with phase 1 below, stays or slides along the wall.
+// The curve, with phase 1 below, stays or slides along the domain boundary.
 void expect_left_alone(const std::vector<P>& curve, double speed, double contact) {
     const std::vector<Curve> curves{{curve, 0, 1}};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
@@ -168,7 +168,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     EXPECT_NEAR(phase_area(complex, 1), before, 0.2 * h * h);
 }
 
-TEST(WallFilms, ALayerOnTheWallStays) {
+TEST(BoundaryFilms, ALayerOnTheBoundaryStays) {
     for (const double thickness : {0.1 * h, 0.3 * h, 3 * h}) {
         for (const double contact : {0.0, 2 * h}) {
             SCOPED_TRACE(testing::Message() << thickness / h << ", " << contact / h);
@@ -177,7 +177,7 @@ TEST(WallFilms, ALayerOnTheWallStays) {
     }
 }
 
-TEST(WallFilms, TheWedgeAtTheEndOfACurveStays) {
+TEST(BoundaryFilms, TheWedgeAtTheEndOfACurveStays) {
     for (const double degrees : {30.0, 20.0, 10.0}) {
         for (const double speed : {0.0, 1.0}) {
             SCOPED_TRACE(testing::Message() << degrees << ", " << speed);
@@ -188,4 +188,4 @@ TEST(WallFilms, TheWedgeAtTheEndOfACurveStays) {
 }
 
 } // namespace
-} // namespace dsc::wall_films_test
+} // namespace dsc::boundary_films_test

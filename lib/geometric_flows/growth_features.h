@@ -14,7 +14,7 @@ namespace dsc {
 /// what a notch is about to run over. Where the flow has turned round and a fan has shrunk to less
 /// than a sub-step, it makes it a notch again. O(interface vertices). Expects `add_fan_rays`.
 template <class Real>
-[[nodiscard]] Pass<Real> growth_corners(const GrowthOptions<Real>& options);
+[[nodiscard]] Pass<Real> growth_features(const GrowthOptions<Real>& options);
 
 /// The default algorithm and that pass; adds what it keeps to the complex:
 ///

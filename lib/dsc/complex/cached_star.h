@@ -15,7 +15,7 @@
 namespace dsc {
 
 /// A closed star of at most eight triangles as the interface remeshing has left it.
-struct KeptStar {
+struct CachedStar {
     static constexpr std::uint32_t capacity = 8; ///< the largest degree that fits
 
     std::uint32_t vertex = no_id; ///< the centre
@@ -38,7 +38,7 @@ namespace detail {
 
 /// Whether the region owns the vertices of a link and its centre, where they are now.
 template <class Real>
-bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept) {
+bool owns_cached(const Complex<Real>& complex, const Region& region, const CachedStar& kept) {
     const auto is_owned = [&](std::uint32_t v) { return owns(complex, region, v); };
     return is_owned(kept.vertex) &&
            std::all_of(kept.link.begin(), kept.link.begin() + kept.size, is_owned);
@@ -48,17 +48,17 @@ bool owns_kept(const Complex<Real>& complex, const Region& region, const KeptSta
 
 /// Keeps a closed star that has room. O(1).
 template <class Real>
-KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring,
-                   const IncidentEdges& incident) {
-    KeptStar kept{.vertex = ring.vertex,
-                  .size = ring.size,
-                  .stamp = complex.vertices[ring.vertex].stamp,
-                  .incident = incident,
-                  .left = ring.phase_after(incident.first),
-                  .right = ring.phase_before(incident.first),
-                  .link = {}};
-    for (std::uint32_t i = 0; i < KeptStar::capacity; ++i) {
-        kept.link[i] = ring.link[i < ring.size ? i : 0];
+CachedStar cache_star(const Complex<Real>& complex, const Star<Real>& star,
+                      const IncidentEdges& incident) {
+    CachedStar kept{.vertex = star.vertex,
+                    .size = star.size,
+                    .stamp = complex.vertices[star.vertex].stamp,
+                    .incident = incident,
+                    .left = star.phase_after(incident.first),
+                    .right = star.phase_before(incident.first),
+                    .link = {}};
+    for (std::uint32_t i = 0; i < CachedStar::capacity; ++i) {
+        kept.link[i] = star.link[i < star.size ? i : 0];
     }
     return kept;
 }
@@ -67,30 +67,30 @@ KeptStar keep_star(const Complex<Real>& complex, const Ring<Real>& ring,
 /// they are now: centre, link and coordinates, but no corners, phases and predecessors. If the
 /// region does not own all of the star, `owned` is false and nothing else was written. O(1).
 template <class Real>
-void gather_kept(const Complex<Real>& complex, const Region& region, const KeptStar& kept,
-                 Ring<Real>& ring) {
-    constexpr std::uint32_t lanes = KeptStar::capacity;
-    ring.owned = region.is_whole() || detail::owns_kept(complex, region, kept);
-    if (!ring.owned) {
+void gather_cached(const Complex<Real>& complex, const Region& region, const CachedStar& kept,
+                   Star<Real>& star) {
+    constexpr std::uint32_t lanes = CachedStar::capacity;
+    star.owned = region.is_whole() || detail::owns_cached(complex, region, kept);
+    if (!star.owned) {
         return;
     }
     const auto* const vertices = complex.vertices.data();
     const std::uint32_t n = kept.size;
-    ring.vertex = kept.vertex;
-    ring.size = n;
-    ring.closed = true;
-    ring.x0 = read_shared(vertices[kept.vertex].x);
-    ring.y0 = read_shared(vertices[kept.vertex].y);
+    star.vertex = kept.vertex;
+    star.size = n;
+    star.closed = true;
+    star.x0 = read_shared(vertices[kept.vertex].x);
+    star.y0 = read_shared(vertices[kept.vertex].y);
     for (std::uint32_t i = 0; i < lanes; ++i) {
         const auto& record = vertices[kept.link[i]];
-        ring.link[i] = kept.link[i];
-        ring.x[i] = read_shared(record.x);
-        ring.y[i] = read_shared(record.y);
+        star.link[i] = kept.link[i];
+        star.x[i] = read_shared(record.x);
+        star.y[i] = read_shared(record.y);
     }
     for (std::uint32_t i = 0; i < lanes; ++i) {
         const std::uint32_t next = i + 1 < n ? i + 1 : i < n ? 0 : 1;
-        ring.x_next[i] = read_shared(vertices[kept.link[next]].x);
-        ring.y_next[i] = read_shared(vertices[kept.link[next]].y);
+        star.x_next[i] = read_shared(vertices[kept.link[next]].x);
+        star.y_next[i] = read_shared(vertices[kept.link[next]].y);
     }
 }
 

@@ -13,7 +13,7 @@
 #include <limits>
 #include <random>
 
-namespace dsc::ring_quality_test {
+namespace dsc::star_quality_test {
 namespace {
 
 double squared_quality(const Point<double>& a, const Point<double>& b, const Point<double>& c) {
@@ -25,7 +25,7 @@ double squared_quality(const Point<double>& a, const Point<double>& b, const Poi
 // comes before a small one, and an open one before a closed one.
 template <class Look>
 void for_stars(Look look) {
-    Ring<double> ring;
+    Star<double> star;
     for (unsigned seed = 1; seed <= 5; ++seed) {
         auto complex = test::grid<double>(7, 0.19, seed);
         std::mt19937 random(seed);
@@ -41,62 +41,62 @@ void for_stars(Look look) {
             }
         }
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-            ASSERT_TRUE(gather(complex, Region{}, v, ring));
-            look(complex, ring);
+            ASSERT_TRUE(gather(complex, Region{}, v, star));
+            look(complex, star);
         }
     }
 }
 
 TEST(RingQuality, OfAStarIsThatOfItsWorstTriangle) {
-    for_stars([](const Complex<double>&, const Ring<double>& ring) {
-        const Point<double> centre(ring.x0, ring.y0);
+    for_stars([](const Complex<double>&, const Star<double>& star) {
+        const Point<double> centre(star.x0, star.y0);
         double worst = 1;
         double longest = 0;
         double shortest = 1e9;
-        for (std::uint32_t i = 0; i < ring.link_size(); ++i) {
-            const Point<double> at(ring.link_x(i), ring.link_y(i));
+        for (std::uint32_t i = 0; i < star.link_size(); ++i) {
+            const Point<double> at(star.link_x(i), star.link_y(i));
             longest = std::max(longest, squared_distance<double>(centre, at));
             shortest = std::min(shortest, squared_distance<double>(centre, at));
-            if (i < ring.size) {
-                const Point<double> beyond(ring.x_next[i], ring.y_next[i]);
+            if (i < star.size) {
+                const Point<double> beyond(star.x_next[i], star.y_next[i]);
                 worst = std::min(worst, squared_quality(centre, at, beyond));
             }
         }
-        const StarReport<double> star = examine(ring);
-        EXPECT_NEAR(star.quality, worst, 1e-12);
-        EXPECT_NEAR(worst_quality_squared(ring, ring.x0, ring.y0), worst, 1e-12);
-        EXPECT_EQ(star.longest, longest);
-        EXPECT_EQ(star.shortest, shortest);
+        const StarReport<double> report = examine(star);
+        EXPECT_NEAR(report.quality, worst, 1e-12);
+        EXPECT_NEAR(worst_quality_squared(star, star.x0, star.y0), worst, 1e-12);
+        EXPECT_EQ(report.longest, longest);
+        EXPECT_EQ(report.shortest, shortest);
     });
 }
 
 TEST(RingQuality, AfterACollapseIsThatOfTheTrianglesThatRemain) {
-    for_stars([](const Complex<double>&, const Ring<double>& ring) {
-        if (!ring.closed || ring.size < 4) {
+    for_stars([](const Complex<double>&, const Star<double>& star) {
+        if (!star.closed || star.size < 4) {
             return;
         }
-        for (std::uint32_t i = 0; i < ring.size; ++i) {
-            const Point<double> target(ring.x[i], ring.y[i]);
+        for (std::uint32_t i = 0; i < star.size; ++i) {
+            const Point<double> target(star.x[i], star.y[i]);
             double worst = 1e9;
-            for (std::uint32_t j = 0; j < ring.size; ++j) {
-                const std::uint32_t beyond = (j + 1) % ring.size;
+            for (std::uint32_t j = 0; j < star.size; ++j) {
+                const std::uint32_t beyond = (j + 1) % star.size;
                 if (j != i && beyond != i) {
-                    worst = std::min(worst, squared_quality(target, {ring.x[j], ring.y[j]},
-                                                            {ring.x[beyond], ring.y[beyond]}));
+                    worst = std::min(worst, squared_quality(target, {star.x[j], star.y[j]},
+                                                            {star.x[beyond], star.y[beyond]}));
                 }
             }
-            EXPECT_NEAR(worst_quality_squared_after_collapse(ring, i), worst, 1e-12);
+            EXPECT_NEAR(worst_quality_squared_after_collapse(star, i), worst, 1e-12);
         }
     });
 }
 
 TEST(RingQuality, AStarThatPassesTheDelaunayTestHasNoMargin) {
     const auto complex = test::hexagon<double>();
-    Ring<double> ring;
-    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
+    Star<double> star;
+    ASSERT_TRUE(gather(complex, Region{}, 0, star));
     IncidentEdgeMargins<double> margins;
-    EXPECT_EQ(examine(ring, margins).delaunay, 0);
-    for (std::uint32_t i = 0; i < ring.size; ++i) {
+    EXPECT_EQ(examine(star, margins).delaunay, 0);
+    for (std::uint32_t i = 0; i < star.size; ++i) {
         EXPECT_GT(margins[i], 0);
     }
 }
@@ -111,19 +111,19 @@ TYPED_TEST(RingQualityTyped, NothingIsCertainFarAwayOrWhereNoNumbersAre) {
     using Real = TypeParam;
     using Limits = std::numeric_limits<Real>;
     const auto complex = test::hexagon<Real>();
-    Ring<Real> ring;
-    ASSERT_TRUE(gather(complex, Region{}, 0, ring));
-    EXPECT_TRUE(certainly_positive(ring, Real(0.1), Real(0.2)));
+    Star<Real> star;
+    ASSERT_TRUE(gather(complex, Region{}, 0, star));
+    EXPECT_TRUE(certainly_positive(star, Real(0.1), Real(0.2)));
     const Real nan = Limits::quiet_NaN();
     const Real infinity = Limits::infinity();
     const Real overflows = std::sqrt(Limits::max()) * 2;
     for (const Real bad : {nan, infinity, -infinity, overflows, -overflows, Limits::max()}) {
-        EXPECT_FALSE(certainly_positive(ring, bad, Real(0.2))) << bad;
-        EXPECT_FALSE(certainly_positive(ring, Real(0.1), bad)) << bad;
-        EXPECT_FALSE(certainly_positive(ring, bad, bad)) << bad;
-        EXPECT_FALSE(certainly_positive(ring, bad, -bad)) << bad;
+        EXPECT_FALSE(certainly_positive(star, bad, Real(0.2))) << bad;
+        EXPECT_FALSE(certainly_positive(star, Real(0.1), bad)) << bad;
+        EXPECT_FALSE(certainly_positive(star, bad, bad)) << bad;
+        EXPECT_FALSE(certainly_positive(star, bad, -bad)) << bad;
     }
 }
 
 } // namespace
-} // namespace dsc::ring_quality_test
+} // namespace dsc::star_quality_test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometric_flows/growth_corners.h"
+#include "geometric_flows/growth_features.h"
 
 #include "dsc/base/error.h"
 #include "dsc/complex/gather.h"
@@ -25,7 +25,7 @@ constexpr double grown = 1.5;   // the radius from which on a fan looks after it
 constexpr double margin = 0.1;  // of a notch's way, to what it is about to run over
 constexpr double bulge = 0.2;   // the most that the curve may move where that is taken away
 constexpr double stray = 1e-3;  // a vertex farther from its ray than this leaves the fan
-constexpr std::uint32_t most_members = 32;
+constexpr std::uint32_t max_members = 32;
 
 template <class Real>
 class Corners {
@@ -49,40 +49,40 @@ private:
     }
     [[nodiscard]] Real lengths(double relative) const { return static_cast<Real>(relative) * h_; }
 
-    [[nodiscard]] GrowthBend<Real> bend_of(const Ring<Real>& ring) const {
-        return dsc::bend_of(ring, options_, work_.time);
+    [[nodiscard]] GrowthBend<Real> bend_of(const Star<Real>& star) const {
+        return dsc::bend_of(star, options_, work_.time);
     }
 
     void visit(std::uint32_t v) {
-        Ring<Real>& ring = work_.ring;
+        Star<Real>& star = work_.star;
         if (!complex_.is_alive(Vertex{v}) || complex_.is_locked(Vertex{v}) ||
-            !gather(complex_, work_.submesh.region, v, ring)) {
+            !gather(complex_, work_.submesh.region, v, star)) {
             return;
         }
-        const GrowthBend<Real> bend = bend_of(ring);
+        const GrowthBend<Real> bend = bend_of(star);
         if (!bend.known) {
             rays_[Vertex{v}] = {};
             return;
         }
         const bool touches =
-            may_be_corner(ring.link[bend.in]) || may_be_corner(ring.link[bend.out]);
+            may_be_feature(star.link[bend.in]) || may_be_feature(star.link[bend.out]);
         const bool in_fan = rays_[Vertex{v}].state != FanState::none;
         const bool bends = std::abs(bend.turn) > std::min(open_, notch_);
-        if (!touches && !in_fan && !bends && !is_corner(v)) {
+        if (!touches && !in_fan && !bends && !is_feature(v)) {
             return;
         }
-        if (!ring.owned) {
+        if (!star.owned) {
             work_.deferred.remeshing(v);
             return;
         }
-        if (touches && (is_run_over(ring, bend, bend.in, bend.out) ||
-                        is_run_over(ring, bend, bend.out, bend.in))) {
+        if (touches && (is_run_over(star, bend, bend.in, bend.out) ||
+                        is_run_over(star, bend, bend.out, bend.in))) {
             return;
         }
         if (in_fan) {
-            tend(ring, bend);
+            tend(star, bend);
         } else if (bend.turn * bend.speed > 0 && std::abs(bend.turn) > open_ &&
-                   (is_corner(v) ||
+                   (is_feature(v) ||
                     has_longer_edges(bend, lengths(work_.options.interface.shortest)))) {
             open(v, bend);
         } else {
@@ -91,10 +91,10 @@ private:
     }
 
     // --- notches ------------------------------------------------------------------------------
-    [[nodiscard]] bool is_corner(std::uint32_t v) const { return complex_.is_corner(Vertex{v}); }
+    [[nodiscard]] bool is_feature(std::uint32_t v) const { return complex_.is_feature(Vertex{v}); }
     // What another submesh owns may be becoming one.
-    [[nodiscard]] bool may_be_corner(std::uint32_t v) const {
-        return !owns(complex_, work_.submesh.region, v) || is_corner(v);
+    [[nodiscard]] bool may_be_feature(std::uint32_t v) const {
+        return !owns(complex_, work_.submesh.region, v) || is_feature(v);
     }
     void mark(std::uint32_t v, const GrowthBend<Real>& bend) {
         if (std::abs(bend.turn) < smooth_) {
@@ -119,23 +119,23 @@ private:
 
     // Whether the vertex was in the way of a notch at the end of one of its edges, and has gone.
     // True as well where only another submesh can tell.
-    bool is_run_over(const Ring<Real>& ring, const GrowthBend<Real>& bend,
+    bool is_run_over(const Star<Real>& star, const GrowthBend<Real>& bend,
                      std::uint32_t incident_edge, std::uint32_t other) {
-        const std::uint32_t u = ring.link[incident_edge];
-        const Point<Real> notch = link_point(ring, incident_edge);
-        const Point<Real> beyond = link_point(ring, other);
+        const std::uint32_t u = star.link[incident_edge];
+        const Point<Real> notch = link_point(star, incident_edge);
+        const Point<Real> beyond = link_point(star, other);
         const Real distance = (notch - bend.at).norm();
-        if (!is_corner(u) || rays_[Vertex{u}].state != FanState::none ||
+        if (!is_feature(u) || rays_[Vertex{u}].state != FanState::none ||
             distance > lengths(work_.options.sub_step + 4 * margin)) {
             return false;
         }
-        Ring<Real>& star = work_.other_ring;
-        const bool gathered = gather(complex_, work_.submesh.region, u, star);
-        if (!star.owned) {
-            work_.deferred.remeshing(ring.vertex);
+        Star<Real>& next_star = work_.other_star;
+        const bool gathered = gather(complex_, work_.submesh.region, u, next_star);
+        if (!next_star.owned) {
+            work_.deferred.remeshing(star.vertex);
             return true;
         }
-        const GrowthBend<Real> there = gathered ? bend_of(star) : GrowthBend<Real>{};
+        const GrowthBend<Real> there = gathered ? bend_of(next_star) : GrowthBend<Real>{};
         if (!there.known || there.turn * there.speed >= 0 || std::abs(there.turn) < smooth_) {
             return false;
         }
@@ -145,29 +145,29 @@ private:
             !turns_less<Real>(beyond, bend.at, notch, Real(0))) {
             return false;
         }
-        return collapse_into(ring, incident_edge) || collapse_into(ring, other);
+        return collapse_into(star, incident_edge) || collapse_into(star, other);
     }
 
     // The centre vanishes into the other end of an incident edge, if that is legal.
-    bool collapse_into(const Ring<Real>& ring, std::uint32_t incident_edge) {
-        return edge_collapse(work_.submesh, prev(ring.corner[incident_edge]),
+    bool collapse_into(const Star<Real>& star, std::uint32_t incident_edge) {
+        return edge_collapse(work_.submesh, prev(star.corner[incident_edge]),
                              rewire::Vanishing::next) == Verdict::legal;
     }
 
     // --- fans ---------------------------------------------------------------------------------
     // The normal at the corner of the sheet on one side. False if only another submesh sees it.
-    bool sheet_normal(const Ring<Real>& ring, const GrowthBend<Real>& bend,
+    bool sheet_normal(const Star<Real>& star, const GrowthBend<Real>& bend,
                       std::uint32_t incident_edge, Point<Real>& normal) {
-        Ring<Real>& star = work_.other_ring;
+        Star<Real>& next_star = work_.other_star;
         const bool gathered =
-            gather(complex_, work_.submesh.region, ring.link[incident_edge], star);
-        if (!star.owned) {
+            gather(complex_, work_.submesh.region, star.link[incident_edge], next_star);
+        if (!next_star.owned) {
             return false;
         }
-        const Point<Real> before = link_point(ring, incident_edge);
+        const Point<Real> before = link_point(star, incident_edge);
         Point<Real> first = before;
-        if (const GrowthBend<Real> next = gathered ? bend_of(star) : GrowthBend<Real>{};
-            next.known && !is_corner(star.vertex)) {
+        if (const GrowthBend<Real> next = gathered ? bend_of(next_star) : GrowthBend<Real>{};
+            next.known && !is_feature(next_star.vertex)) {
             first = incident_edge == bend.in ? next.from : next.to;
         }
         const Point<Real> tangent = end_tangent<Real>(first, before, bend.at);
@@ -177,11 +177,11 @@ private:
     }
 
     void open(std::uint32_t v, const GrowthBend<Real>& bend) {
-        const Ring<Real>& ring = work_.ring;
+        const Star<Real>& star = work_.star;
         Point<Real> first;
         Point<Real> last;
-        if (!sheet_normal(ring, bend, bend.in, first) ||
-            !sheet_normal(ring, bend, bend.out, last)) {
+        if (!sheet_normal(star, bend, bend.in, first) ||
+            !sheet_normal(star, bend, bend.out, last)) {
             work_.deferred.remeshing(v);
             return;
         }
@@ -190,7 +190,7 @@ private:
             return; // nearly a half turn
         }
         const auto edges = std::min(static_cast<std::uint32_t>(std::ceil(std::abs(angle) / fan_)),
-                                    most_members - 1);
+                                    max_members - 1);
         const std::uint32_t before = edges / 2;
         const std::uint32_t after = edges - before;
         const IdPool& pool = *work_.submesh.pool;
@@ -200,10 +200,10 @@ private:
             return;
         }
         // In the order of the curve.
-        std::array<std::uint32_t, most_members> members{};
+        std::array<std::uint32_t, max_members> members{};
         std::uint32_t count = 0;
-        const std::uint32_t in = ring.link[bend.in];
-        const std::uint32_t out = ring.link[bend.out];
+        const std::uint32_t in = star.link[bend.in];
+        const std::uint32_t out = star.link[bend.out];
         count += split_towards(v, in, before, std::span(members).first(before));
         members[count++] = v;
         const std::uint32_t found =
@@ -251,14 +251,14 @@ private:
         return count;
     }
 
-    void tend(const Ring<Real>& ring, const GrowthBend<Real>& bend) {
-        const Vertex v{ring.vertex};
+    void tend(const Star<Real>& star, const GrowthBend<Real>& bend) {
+        const Vertex v{star.vertex};
         FanRay<Real>& ray = rays_[v];
-        const FanRay<Real>& before = rays_[Vertex{ring.link[bend.in]}];
-        const FanRay<Real>& after = rays_[Vertex{ring.link[bend.out]}];
+        const FanRay<Real>& before = rays_[Vertex{star.link[bend.in]}];
+        const FanRay<Real>& after = rays_[Vertex{star.link[bend.out]}];
         const bool is_inside = belong_together(before, ray) && belong_together(ray, after);
         if (ray.state == FanState::closing) {
-            end_closing(ring, bend);
+            end_closing(star, bend);
             return;
         }
         if (ray.state == FanState::inserted) {
@@ -267,13 +267,13 @@ private:
                 return;
             }
             const Real radius = (along(before, bend.from) + along(after, bend.to)) / 2;
-            place(ring, ray, radius);
+            place(star, ray, radius);
             return;
         }
         const Real radius = along(ray, bend.at);
         if (ray.state == FanState::opening) {
             if (std::abs(radius) > lengths(roomy)) {
-                place(ring, ray, radius);
+                place(star, ray, radius);
             }
             return;
         }
@@ -289,7 +289,7 @@ private:
             ray = {};
             mark(v.id, bend);
         } else if (bend.speed * radius < 0) {
-            close(ring, bend, is_inside);
+            close(star, bend, is_inside);
         } else if (is_inside && std::abs(radius) > lengths(grown)) {
             complex_.set_corner(v, false);
         }
@@ -298,14 +298,14 @@ private:
     // A fan that would vanish in this sub-step. The sheets meet in a notch at its end, on the other
     // side of the source: there the last vertex goes, and the others to places close to it on the
     // first sheet, from which they can be removed at no cost.
-    void close(const Ring<Real>& ring, const GrowthBend<Real>& bend, bool is_inside) {
-        FanRay<Real>& ray = rays_[Vertex{ring.vertex}];
+    void close(const Star<Real>& star, const GrowthBend<Real>& bend, bool is_inside) {
+        FanRay<Real>& ray = rays_[Vertex{star.vertex}];
         const Real radius = along(ray, bend.at);
         const Real time = way(bend.speed) / std::abs(bend.speed);
         const Real left = std::abs(radius) - lengths(margin);
         // What lies inside gets a second chance to go, as its star may not allow it at first.
         if (is_inside && left < 2 * way(bend.speed) &&
-            (collapse_into(ring, bend.in) || collapse_into(ring, bend.out))) {
+            (collapse_into(star, bend.in) || collapse_into(star, bend.out))) {
             return;
         }
         if (left > way(bend.speed)) {
@@ -324,21 +324,21 @@ private:
         ray.state = FanState::closing;
     }
 
-    void end_closing(const Ring<Real>& ring, const GrowthBend<Real>& bend) {
-        FanRay<Real>& ray = rays_[Vertex{ring.vertex}];
+    void end_closing(const Star<Real>& star, const GrowthBend<Real>& bend) {
+        FanRay<Real>& ray = rays_[Vertex{star.vertex}];
         const bool is_last = ray.to_last == 0;
-        if (is_last || !(collapse_into(ring, bend.out) || collapse_into(ring, bend.in))) {
+        if (is_last || !(collapse_into(star, bend.out) || collapse_into(star, bend.in))) {
             ray = {};
-            complex_.set_corner(Vertex{ring.vertex}, is_last);
+            complex_.set_corner(Vertex{star.vertex}, is_last);
         }
     }
 
     // Puts the vertex on its ray, if there is room.
-    void place(const Ring<Real>& ring, FanRay<Real>& ray, Real radius) {
+    void place(const Star<Real>& star, FanRay<Real>& ray, Real radius) {
         const Point<Real> target = ray.source + radius * ray.direction;
         if (owns_place(work_.submesh.region, target) &&
-            all_positive(ring, target.x(), target.y())) {
-            rewire::move(complex_, work_.log, ring.vertex, target.x(), target.y(),
+            all_positive(star, target.x(), target.y())) {
+            rewire::move(complex_, work_.log, star.vertex, target.x(), target.y(),
                          MoveReason::flow);
             ray.state = FanState::open;
         }
@@ -358,7 +358,7 @@ private:
 } // namespace
 
 template <class Real>
-Pass<Real> growth_corners(const GrowthOptions<Real>& options) {
+Pass<Real> growth_features(const GrowthOptions<Real>& options) {
     check_growth(options);
     return {"growth corners", [options](Work<Real>& work) { Corners<Real>(work, options).run(); }};
 }
@@ -366,7 +366,7 @@ Pass<Real> growth_corners(const GrowthOptions<Real>& options) {
 template <class Real>
 Algorithm<Real> growth_algorithm(Complex<Real>& complex, const GrowthOptions<Real>& options) {
     Algorithm<Real> algorithm = default_algorithm<Real>();
-    algorithm.remeshing.push_back(growth_corners(options));
+    algorithm.remeshing.push_back(growth_features(options));
     for (const GrowthSpeed& pair : options.speeds) {
         for (const Phase phase : {pair.growing, pair.into}) {
             if (std::ranges::none_of(triangles(complex),
@@ -383,7 +383,7 @@ Algorithm<Real> growth_algorithm(Complex<Real>& complex, const GrowthOptions<Rea
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Pass<Real> growth_corners(const GrowthOptions<Real>&);                                \
+    template Pass<Real> growth_features(const GrowthOptions<Real>&);                               \
     template Algorithm<Real> growth_algorithm(Complex<Real>&, const GrowthOptions<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

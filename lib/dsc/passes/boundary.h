@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Remeshing along the domain boundary (thesis, section 8.3). Where an interface slides along a
+// boundary, the domain boundary's edges ahead of it become short and those behind it long: vertices
+// inside one phase are collapsed along the domain boundary, and edges are split at their midpoints,
+// so that the domain keeps its shape. Boundaries of the exterior phase belong to the mesh update,
+// those of any other phase to the interface (figure 8.3) and its remeshing.
+#pragma once
+
+#include "dsc/passes/edits.h"
+#include "dsc/quality/measures.h"
+
+#include <algorithm>
+
+namespace dsc {
+
+/// What counts as long and short along a side of the domain, squared; and the quality that a
+/// collapse must leave.
+template <class Real>
+struct BoundaryLimits {
+    Real longest = 0;
+    Real shortest = 0;
+    Real min_quality = 0; ///< equation 4, not squared
+    /// A shorter edge stops the interface that moves along it. It goes even if the edge that is
+    /// left is too long, which is then split: so this may not exceed half of what is too long.
+    Real blocking = 0;
+};
+
+/// One of the two incident edges of an open star that lie on the domain boundary.
+template <class Real>
+struct BoundaryEdge {
+    std::uint32_t link = 0; ///< index in the star
+    Corner corner = 0;      ///< opposite to the edge
+    rewire::Vanishing end;  ///< the end at which the centre is
+    Real squared = 0;       ///< length
+};
+
+/// The incident edge that has the domain on its left as seen from the centre, or the other one. The
+/// star must be open.
+template <class Real>
+BoundaryEdge<Real> boundary_edge(const Star<Real>& star, bool is_first) {
+    BoundaryEdge<Real> incident_edge;
+    incident_edge.link = is_first ? 0 : star.size;
+    incident_edge.corner = is_first ? prev(star.corner[0]) : next(star.corner[star.size - 1]);
+    incident_edge.end = is_first ? rewire::Vanishing::next : rewire::Vanishing::prev;
+    incident_edge.squared = star.squared_edge(incident_edge.link);
+    return incident_edge;
+}
+
+/// The squared length of the edge that is left on the domain boundary if the centre goes.
+template <class Real>
+Real merged_on_boundary(const Star<Real>& star) {
+    const Real dx = star.link_x(star.size) - star.link_x(0);
+    const Real dy = star.link_y(star.size) - star.link_y(0);
+    return dx * dx + dy * dy;
+}
+
+/// Whether the centre, inside one phase on the domain boundary, may be collapsed because of a short
+/// edge there, or, if `is_poor`, for another reason.
+template <class Real>
+bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
+                                 bool is_poor = false) {
+    if (star.closed || !star.one_phase) {
+        return false;
+    }
+    const Real shorter =
+        std::min(boundary_edge(star, true).squared, boundary_edge(star, false).squared);
+    return shorter < limits.blocking ||
+           ((is_poor || shorter < limits.shortest) && merged_on_boundary(star) < limits.longest);
+}
+
+/// Whether the domain boundary's edge with the domain on its left, as seen from the centre, is too
+/// long; or the other one. The same limits on the whole boundary need only the first: an edge is
+/// found from one end. Where limits differ from place to place, an edge is too long if it is for
+/// either end.
+template <class Real>
+bool should_split_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
+                           bool is_first = true) {
+    return !star.closed && boundary_edge(star, is_first).squared > limits.longest;
+}
+
+/// The worst quality of the centre's triangles with link vertex i, a neighbour on the domain
+/// boundary, in its place. O(degree).
+template <class Real>
+Real quality_after_boundary_collapse(const Star<Real>& star, std::uint32_t i) {
+    const Point<Real> target(star.link_x(i), star.link_y(i));
+    Real worst = 1;
+    for (std::uint32_t j = i == 0 ? 1 : 0; j < (i == 0 ? star.size : star.size - 1); ++j) {
+        worst = std::min(
+            worst, quality<Real>(target, {star.x[j], star.y[j]}, {star.x_next[j], star.y_next[j]}));
+    }
+    return worst;
+}
+
+/// Collapses the centre into the neighbour on the domain boundary that leaves the better triangles,
+/// if they are not below `min_quality`, and activates the link. The guard keeps corners of the
+/// domain.
+template <class Real>
+bool collapse_on_boundary(Work<Real>& work, const Star<Real>& star,
+                          const BoundaryLimits<Real>& limits) {
+    const Real first = quality_after_boundary_collapse(star, 0);
+    const Real last = quality_after_boundary_collapse(star, star.size);
+    for (const bool is_first : {first >= last, first < last}) {
+        if ((is_first ? first : last) < limits.min_quality) {
+            return false; // the other one is worse
+        }
+        const BoundaryEdge<Real> incident_edge = boundary_edge(star, is_first);
+        if (collapse_centre(work, star, incident_edge.corner, incident_edge.end) ==
+            Verdict::legal) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Splits the domain boundary's edge with the domain on its left, as seen from the centre, or the
+/// other one. Only if the midpoint lies exactly on the domain boundary: a vertex beside it would be
+/// a corner of the domain. The new vertex is activated. `out_of_ids` and `on_submesh_boundary`:
+/// another submesh has to do it.
+template <class Real>
+SplitResult split_boundary(Work<Real>& work, const Star<Real>& star, bool is_first = true) {
+    const BoundaryEdge<Real> incident_edge = boundary_edge(star, is_first);
+    const Point<Real> from(star.x0, star.y0);
+    const Point<Real> to(star.link_x(incident_edge.link), star.link_y(incident_edge.link));
+    const Point<Real> middle = midpoint<Real>(from, to);
+    if (orientation<Real>(from, middle, to) != 0) {
+        return {Verdict::on_boundary, {}};
+    }
+    if (!owns_place(work.submesh.region, middle)) {
+        return {Verdict::on_submesh_boundary, {}};
+    }
+    return split(work, incident_edge.corner, middle, Wake::all);
+}
+
+} // namespace dsc
