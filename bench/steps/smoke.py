@@ -189,7 +189,7 @@ BAD_SUITES = {
     '[[case]]\nscene = "swirl"\nthreads = 0\n': ("suite.toml:3", "got 0", "from 1"),
     '[[case]]\nscene = "swirl"\nthreads = "all"\n': ("suite.toml:3", "'all'", "cores"),
     '[[case]]\nscene = "swirl"\nh = []\n': ("suite.toml:3", "h"),
-    '[[case]]\nscene = "swirl"\nh = 0.1\ntriangles = 900\n': ("triangles, or h",),
+    '[[case]]\nscene = "swirl"\nh = 0.1\ntriangles = 900\n': ("one of h and triangles",),
     '[[case]]\nscene = "swirl"\nname = "a/b"\n': ("suite.toml:3", "'a/b'", "letters"),
     '[[case]]\nscene = "swirl"\nmeasure = "speed"\n': ("suite.toml:3", "'speed'", "run, step"),
     '[[case]]\nscene = "swirl"\nat = 0.1\n': ("suite.toml:3", "'at'"),

@@ -12,15 +12,16 @@ namespace dsc {
 
 namespace {
 
-// Edges of the interface are shorter where its shape or the application wants them to be.
+// Whether the options ask for equal interface edges: lengths that depend neither on the shape nor
+// on the application.
 bool has_even_edges(const Options<double>& options) {
     return options.interface.turn_degrees == 0 && options.interface.gap == 0 &&
            !options.sizes.on_interface;
 }
 
-// Carries the interface with the fluid, by the Runge-Kutta method of order 4, spreads its vertices
-// and then holds the areas. Each search for a velocity begins at a triangle that the vertex alone
-// decides.
+// Advects the interface with the fluid by the Runge-Kutta method of order 4, spaces its vertices
+// evenly and then corrects the areas. The search for a velocity begins at a triangle that depends
+// on the vertex only.
 InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<PhaseArea>& areas,
                                   bool is_even) {
     return [past, &areas, is_even](const InterfaceView<double>& view, double time, double dt,
@@ -47,8 +48,8 @@ InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<Phase
     };
 }
 
-// A void is a fluid without mass or pressure, and so little viscous that the others don't feel it:
-// its velocity continues theirs, so that what is looked up beside the surface is smooth.
+// A void is solved as a fluid without mass or pressure, whose viscosity is too small to affect the
+// others. Its velocity continues theirs, so velocities interpolated beside the surface are smooth.
 void fill_voids(std::vector<FluidPhase>& phases) {
     constexpr double share = 1e-6;
     double largest = 0;
@@ -63,8 +64,8 @@ void fill_voids(std::vector<FluidPhase>& phases) {
     }
 }
 
-// The largest distance by which an end of an edge was moved wrongly in a step, in lengths of the
-// edge.
+// The largest estimated error of the motion of an edge's end in a step, relative to the length of
+// the edge.
 double error_of_motion(const FluidField& field, const FluidPast& moving_vertex, double dt) {
     double largest = 0;
     for (const SnapshotEdge& edge : field.mesh.interface) {
@@ -78,10 +79,10 @@ double error_of_motion(const FluidField& field, const FluidPast& moving_vertex, 
     return largest;
 }
 
-constexpr double min_factor = 0.3; // of a step over the one before
+constexpr double min_factor = 0.3; // of a step to the step before
 
-// The duration for which the error, which grows with its third power, is what it may be: a little
-// less, since a step whose error is larger is kept.
+// The duration for which the error, which grows with its third power, meets the tolerance, with a
+// margin, because a step with a larger error is not repeated.
 double next_duration(double dt, double error, double tolerance) {
     constexpr double caution = 0.8;
     constexpr double largest_factor = 1.5;
@@ -104,9 +105,8 @@ void add(FluidStep& all, const FluidStep& one) {
            .solve_s = all.solve_s + one.solve_s};
 }
 
-// Walls are found by their coordinates, and vertices slide along a wall only if it is straight to
-// the bit. So each edge of the boundary has to lie exactly on a side of the box around the
-// vertices.
+// Walls are identified by their coordinates, and vertices slide along a wall only if it is exactly
+// straight. So each boundary edge must lie exactly on a side of the box around the vertices.
 void check_boundary(const MeshSnapshot& mesh) {
     const Rectangle& box = mesh.domain;
     const auto is_on_side = [&](const Point<double>& a, const Point<double>& b) {
@@ -122,7 +122,7 @@ void check_boundary(const MeshSnapshot& mesh) {
             const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
             if (triangle.across[i] == no_id && !is_on_side(from, to)) {
                 throw InputError(
-                    {.what = "the domain is no rectangle with sides parallel to the axes",
+                    {.what = "the domain is not a rectangle with sides parallel to the axes",
                      .where = "Fluid",
                      .value = "a boundary edge from " + to_text(from) + " to " + to_text(to),
                      .allowed = "edges on the sides of the box from " + to_text(box.low) + " to " +
@@ -175,14 +175,15 @@ Fluid::~Fluid() = default;
 FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     require(std::isfinite(dt) && dt > 0, "dt of a step of a fluid", dt, "above 0");
     if (&simulation.complex() != &complex_) {
-        throw InputError({.what = "the simulation belongs to another complex",
-                          .where = "Fluid::step",
-                          .value = "a simulation of it",
-                          .allowed = "one of the complex that the fluid was made for"});
+        throw InputError(
+            {.what = "the simulation belongs to another complex",
+             .where = "Fluid::step",
+             .value = "a Simulation of another Complex",
+             .allowed = "a Simulation of the Complex given to the constructor of Fluid"});
     }
     FluidStep report;
-    // At rest the velocity says nothing of where it goes: the first step moves by the one that the
-    // old mesh gives for its end.
+    // At rest the velocity cannot be extrapolated: the first step moves the interface by the
+    // solution in the old mesh for the end of the step.
     std::unique_ptr<FluidField> guess;
     FluidPast moving_vertex = past();
     if (options_.equations == FluidEquations::navier_stokes && two_ == nullptr) {
@@ -228,16 +229,17 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
 void Fluid::archive(Archive& archive) {
     as_a_whole(archive, [&](Archive& each) {
         transfer(each);
-        // Not of what is read back: the mesh may be another by then.
+        // Not checked for the value read back: the mesh may have changed by then.
         each.expect(!archive.is_reading() || &each != &archive ||
                         one_->mesh.vertex_bound == complex_.vertex_bound(),
-                    "holds the flow of another mesh");
+                    "contains the flow of another mesh");
     });
 }
 
 void Fluid::transfer(Archive& archive) {
     archive(areas_, next_dt_);
-    archive.expect(std::isfinite(next_dt_) && next_dt_ >= 0, "holds a step of no length");
+    archive.expect(std::isfinite(next_dt_) && next_dt_ >= 0,
+                   "contains a time step that is negative or not finite");
     bool has_two = two_ != nullptr;
     archive(has_two);
     if (archive.is_reading()) {

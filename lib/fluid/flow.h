@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fluid that moves the interface of a simulation.
+// A fluid and the motion of a simulation's interface by it.
 #pragma once
 
 #include "fluid/field/convection.h"
@@ -13,45 +13,45 @@ namespace dsc {
 
 struct FluidSystem;
 
-/// What a step of a fluid did, or several of them.
+/// The result of one step of a fluid, or of several.
 struct FluidStep {
-    int steps = 1;         ///< how many were made; one that gave up is none
-    double error = 0;      ///< of the interface: an estimate of the largest, in edges there
-    StepReport moved;      ///< of the simulation: sums, and the end of the last step
+    int steps = 1;         ///< number of completed steps
+    double error = 0;      ///< estimate of the largest error of the interface, in edge lengths
+    StepReport moved;      ///< of the simulation: sums, and the state after the last step
     SolveReport solved;    ///< of velocity and pressure
-    double move_s = 0;     ///< seconds for the simulation, with the look-up of velocities
+    double move_s = 0;     ///< seconds for the simulation, including interpolation of velocities
     double assembly_s = 0; ///< seconds for the copy of the mesh, the numbering and the matrix
     double solve_s = 0;    ///< seconds for the factorisation and the refinement
 };
 
-/// Incompressible flow of two and more phases, fitted to the interface of a complex, and the
-/// simulation's interface moved by it:
+/// Incompressible flow of two or more phases in the mesh of a complex, which fits the interface;
+/// the flow moves the simulation's interface:
 ///
 ///     dsc::Fluid fluid(complex, options);
 ///     for (int i = 0; i < 300; ++i) { fluid.step(simulation, 0.01); }
 ///
 /// The domain is a rectangle with sides parallel to the axes. Velocities are quadratic in each
-/// triangle and linear along each edge between two phases, pressures linear with a jump there: a
-/// polygon whose edges balance each other rests to rounding. A step moves the interface by the
-/// velocity extrapolated in time (whatever the integrator of the simulation), and then solves for
-/// velocity and pressure in the new mesh, with inertia by particles that are followed back to the
-/// last two meshes. Second order in the edge length and in time; no limit on the time step from
-/// tension or from the speed. Vertices slide along the interface towards equal edges, unless the
-/// simulation has edges that follow the shape
-/// (`turn_degrees`, `gap`) or a length of their own (`on_interface`). Stages of the
-/// simulation, such as `TopologyStage`, run as in any other one. The area of each phase is held to
-/// that of the start: after each sub-step each curve is moved along its normal by the distance that
-/// brings back what is missing.
+/// triangle and linear along each edge between two phases, pressures linear with a jump there:
+/// spurious currents at a polygon whose edges are in balance stay at rounding level. A step moves
+/// the interface by the velocity extrapolated in time (whatever the integrator of the simulation),
+/// and then solves for velocity and pressure in the new mesh, with inertia by particles that are
+/// followed back to the last two meshes. Second order in the edge length and in time; no limit on
+/// the time step from tension or from the speed. Vertices slide along the interface towards equal
+/// edges, unless the simulation's options adapt edges to the shape (`turn_degrees`, `gap`) or set
+/// their length (`on_interface`). Stages of the simulation, such as `TopologyStage`, run as in any
+/// other one. The area of each phase is constant: after each sub-step each curve is moved along its
+/// normal by the distance that restores the areas.
 ///
 /// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors, two
-/// copies of the mesh and the matrices of the elements, about 2 kB for each triangle. Any number of
-/// threads gives the same bits. Not thread-safe itself.
+/// copies of the mesh and the matrices of the elements, about 2 kB for each triangle. Results are
+/// bitwise identical for any number of threads. Not thread-safe.
 class Fluid {
 public:
-    /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
-    /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
-    /// has no properties, two phases meet without a tension, or the domain is no rectangle with
-    /// sides parallel to the axes; SolveError if the equations of Stokes cannot be solved.
+    /// Starts at rest at time 0; for `FluidEquations::stokes`, with the velocity that follows from
+    /// the interface. The complex must outlive the fluid. Throws InputError if an option is out of
+    /// range, a phase has no properties, two phases meet without a tension, or the domain is not a
+    /// rectangle with sides parallel to the axes; SolveError if the Stokes equations cannot be
+    /// solved.
     Fluid(const Complex<double>& complex, FluidOptions options);
     ~Fluid();
     Fluid(const Fluid&) = delete;
@@ -59,29 +59,29 @@ public:
     Fluid(Fluid&&) = delete;
     Fluid& operator=(Fluid&&) = delete;
 
-    /// Moves the interface of the simulation, which must be one of the fluid's complex, and finds
-    /// the flow at `time() + dt`. If the simulation gives up, the flow stays as it was: see
-    /// `moved.gave_up`. Throws InputError if dt is not above 0, or phases meet that have no
-    /// tension; SolveError if the equations cannot be solved.
-    /// After either of these two, and after a step that gave up, the mesh may have moved without
-    /// its flow: to go back, archive the simulation and the fluid before a step that may fail.
+    /// Moves the interface of the simulation, which must be one of the fluid's complex, and solves
+    /// for the flow at `time() + dt`. If the simulation gives up, the flow stays unchanged: see
+    /// `moved.gave_up`. Throws InputError if dt is not above 0, or two phases meet without a
+    /// tension; SolveError if the equations cannot be solved. After an exception, and after a step
+    /// that gave up, the mesh may have moved while the flow has not: to be able to go back, archive
+    /// the simulation and the fluid before a step that may fail.
     FluidStep step(Simulation<double>& simulation, double dt);
-    /// Steps until `time() + duration`: one, or with a tolerance as many as it asks for. The error
-    /// of a step is estimated by the difference of the velocity from the one that the interface was
-    /// moved with. The length of the next step is chosen from it, from a thousandth of the duration
-    /// to all of it; a step that exceeds the tolerance is kept. Stops where a step gives up; the
-    /// next one is shorter then. Throws as `step` does.
+    /// Steps until `time() + duration`: in one step, or with a tolerance in as many as needed. The
+    /// error of a step is estimated from the difference between the new velocity and the one that
+    /// moved the interface. It determines the length of the next step, from a thousandth of the
+    /// duration to all of it; a step that exceeds the tolerance is not repeated. Stops when a step
+    /// gives up; the next step is then shorter. Throws as `step` does.
     FluidStep advance(Simulation<double>& simulation, double duration);
-    /// All that the next step depends on, apart from the simulation and its complex, which have to
-    /// be archived before it. Throws FileError for what no fluid can have written, or of another
-    /// mesh; the fluid is then what it was before.
+    /// Writes or reads the whole state except the simulation and its complex, which must be
+    /// archived before it. Throws FileError if the bytes are not those of a fluid, or belong to
+    /// another mesh; the fluid is then unchanged.
     void archive(Archive& archive);
 
-    /// Of the last solution.
+    /// The time of the last solution.
     [[nodiscard]] double time() const { return one_->time; }
-    /// Velocity and pressure. With inertia, the pressure is 0 until the first step has been made.
+    /// Velocity and pressure. With inertia, the pressure is 0 until the first step.
     [[nodiscard]] const FluidField& field() const { return *one_; }
-    /// Those of all steps.
+    /// The options of all steps.
     [[nodiscard]] const FluidOptions& options() const { return options_; }
 
 private:
@@ -92,11 +92,11 @@ private:
 
     const Complex<double>& complex_;
     FluidOptions options_;
-    std::vector<PhaseArea> areas_;        ///< to be held
-    double next_dt_ = 0;                  ///< the step that aims at the tolerance; 0: not known yet
-    std::unique_ptr<FluidField> one_;     ///< the last solution; null only during construction
-    std::unique_ptr<FluidField> two_;     ///< the one before; null at the start
-    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one uses its memory
+    std::vector<PhaseArea> areas_;    ///< to be conserved
+    double next_dt_ = 0;              ///< the length of the next step for the tolerance; 0: unknown
+    std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
+    std::unique_ptr<FluidField> two_; ///< the one before; null at the start
+    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one reuses its memory
 };
 
 } // namespace dsc

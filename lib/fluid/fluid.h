@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Incompressible flow of two and more phases, in reading order.
+// Incompressible flow of two or more phases, in reading order.
 #pragma once
 
 #include "fluid/options.h"

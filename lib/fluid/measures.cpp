@@ -15,7 +15,7 @@ constexpr std::array<double, 4> gauss_at{0.06943184420297371, 0.3300094782075718
 constexpr std::array<double, 4> gauss_weight{0.17392742256872693, 0.32607257743127307,
                                              0.32607257743127307, 0.17392742256872693};
 
-// A cubic on [0, 1] by its values at 0, 1/3, 2/3 and 1.
+// A cubic on [0, 1], given by its values at 0, 1/3, 2/3 and 1.
 struct Cubic {
     std::array<Point<double>, 4> at;
 
@@ -79,7 +79,7 @@ Point<double> mean_velocity(const FluidField& field, Phase phase) {
     Point<double> sum(0, 0);
     double whole = 0;
     for_each_of_phase(field, phase, [&](std::size_t t, double size) {
-        // Of the quadratic shape functions, those of the vertices have the mean 0.
+        // The quadratic shape functions of the vertices have mean 0.
         for (std::size_t i = 3; i < 6; ++i) {
             sum += size / 3 * field.velocity[field.mesh.triangles[t].nodes[i]];
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured of a flow.
+// Measures of a flow.
 #pragma once
 
 #include "fluid/field/snapshot_field.h"
@@ -7,8 +7,8 @@
 
 namespace dsc {
 
-/// A phase whose outline is read as the cubic through its vertices (`curve_point`), which is fourth
-/// order in their distance where the outline is smooth.
+/// Measures of a phase whose outline is read as the cubic through its vertices (`curve_point`),
+/// with fourth order accuracy where the outline is smooth.
 struct CubicOutline {
     double length = 0;                ///< of all outlines
     double area = 0;                  ///< inside them
@@ -18,8 +18,8 @@ struct CubicOutline {
     [[nodiscard]] double circularity() const;
 };
 
-/// Of all outlines of the phase together. Meant for phases that do not touch the domain boundary,
-/// whose corners a cubic would cut. O(triangles).
+/// The sums over all outlines of the phase. For phases that do not touch the domain boundary, whose
+/// corners a cubic would cut off. O(triangles).
 [[nodiscard]] CubicOutline cubic_outline(const Complex<double>& complex, Phase phase);
 
 /// The mean velocity in a phase; (0, 0) if there is no such phase. O(triangles).
@@ -31,10 +31,10 @@ struct CubicOutline {
 /// The largest speed at a node of a fluid, not inside a void. O(n).
 [[nodiscard]] double largest_speed(const FluidField& field, const FluidOptions& options);
 
-/// Energies, which only viscosity changes.
+/// Energies; only viscosity changes their sum.
 struct FluidEnergy {
     double kinetic = 0;   ///< of all phases
-    double potential = 0; ///< in gravity, from the origin of coordinates
+    double potential = 0; ///< of gravity, relative to the origin of coordinates
     double surface = 0;   ///< tension times length
 
     /// All of it.

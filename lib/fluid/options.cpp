@@ -44,7 +44,7 @@ void check_tensions(const FluidOptions& options) {
         (void)fluid_of(options, t->one);
         (void)fluid_of(options, t->other);
         if (t->one == t->other) {
-            throw InputError({.what = "there is no interface between them",
+            throw InputError({.what = "a tension names one phase twice",
                               .where = "FluidOptions::tensions",
                               .value = name,
                               .allowed = "two different phases"});

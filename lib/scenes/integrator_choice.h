@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integrators that a scene can be run with: those of the core, and the thesis's own.
+// The integrators of scenes: those of the core, and that of the thesis.
 #pragma once
 
 #include "dsc/passes/options.h"
@@ -21,7 +21,7 @@ inline constexpr std::array integrator_choice_names{
     return name_in(integrator_choice_names, choice);
 }
 
-/// Has the options use that integrator.
+/// Sets the integrator of the options.
 template <class Real>
 void choose_integrator(Options<Real>& options, IntegratorChoice choice) {
     if (choice == IntegratorChoice::centred) {

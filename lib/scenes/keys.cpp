@@ -28,7 +28,8 @@ bool read_number(const std::string& text, Number low, Number high, Number& numbe
     return true;
 }
 
-// In these rows `field` leads to the field of the key: a member, or a function of the parameters.
+// In these rows `field` accesses the field of the key: a member pointer, or a function of the
+// parameters.
 template <class Number, class Field>
 Key number(std::string name, Field field, Number low, Number high, std::string allowed) {
     return {std::move(name), std::move(allowed),
@@ -88,7 +89,7 @@ std::vector<Key> make_keys() {
         number("deviation", of_interface(&I::deviation), 0.0, 1.0, "0 to 1, in edge lengths"),
         number("turn", of_interface(&I::turn_degrees), 0.0, 180.0, "0 (off), 1 to 180 degrees"),
         number("feature", of_interface(&I::feature_degrees), 0.0, 180.0,
-               "0 to 180 degrees: sharper turns at the start are corners"),
+               "0 to 180 degrees: sharper turns at the start are features"),
         number("gap", of_interface(&I::gap), 0.0, 100.0, "0 (off), 0.1 to 100"),
         number("grading", of_interface(&I::grading), 0.0, 100.0, "0 (off), 2 to 100"),
         number("finest", of_interface(&I::finest), 1e-3, 1.0, "0.001 to 1, in edge lengths"),
@@ -171,7 +172,7 @@ void apply_setting(Parameters& parameters, const std::vector<std::string>& keys,
                    const std::string& setting) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos) {
-        throw InputError({.what = "not a setting",
+        throw InputError({.what = "a setting without =",
                           .where = "--set",
                           .value = "'" + setting + "'",
                           .allowed = "key=value"});

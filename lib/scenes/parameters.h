@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of a scene that can be set without writing code; keys.h gives each a name.
+// The parameters of a scene, which can be set by the keys in keys.h.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -22,7 +22,7 @@ inline constexpr std::array real_type_names{
     return name_in(real_type_names, real);
 }
 
-/// Triangles of one phase.
+/// The size of the triangles of a phase.
 enum class Fineness : std::uint8_t { fine, coarse };
 
 inline constexpr std::array fineness_names{
@@ -32,8 +32,8 @@ inline constexpr std::array fineness_names{
 
 /// How a value rises from 0 to 1.
 enum class Ramp : std::uint8_t {
-    quadratic, ///< without a kink where it begins: linear interpolation is of second order
-    linear,    ///< as in the thesis: of first order at the kink
+    quadratic, ///< with a continuous slope: linear interpolation is of second order
+    linear,    ///< as in the thesis, with a kink: of first order there
 };
 
 inline constexpr std::array ramp_names{
@@ -46,10 +46,10 @@ inline constexpr std::array no_or_yes{Named{false, "no"}, Named{true, "yes"}};
 struct Parameters {
     double h = 0.02;   ///< target edge length, in units of the domain
     double dt = 0.01;  ///< time step
-    int steps = 0;     ///< time steps; of the swirl: each way
-    double period = 0; ///< time from start to return of a reversing flow; 0: none
-    double angle = 0;  ///< of the rays of four sectors against the x axis, in degrees
-    int grains = 0;    ///< grains or bubbles at the start; 0: as many as fit
+    int steps = 0;     ///< time steps; for the swirl: each way
+    double period = 0; ///< duration of a flow that turns back; 0: none
+    double angle = 0;  ///< between the x axis and the rays of four sectors, in degrees
+    int grains = 0;    ///< grains or bubbles at the start; 0: chosen from h
     Fineness inside = Fineness::fine;  ///< triangles of the shape
     Fineness outside = Fineness::fine; ///< of the exterior
     Ramp ramp = Ramp::quadratic;       ///< of a value from the first radius to the last
@@ -59,15 +59,15 @@ struct Parameters {
     InterfaceThresholds interface {};
     Topology topology = Topology::keep; ///< of all pairs of phases
     double contact = 0;  ///< thickness at which a film opens, a length; 0: the library's default
-    double min_area = 1; ///< of a piece that does not vanish, in squared edge lengths
-    bool follows_seams = true; ///< films go on opening beside where they have opened
-    double grade = 0; ///< how much longer edges grow, from one to the next; 0: all of one length
-    bool gives_back = false;                 ///< area that changes of topology take
-    Detail detail = InitialOptions{}.detail; ///< what happens to detail finer than the mesh
+    double min_area = 1; ///< smaller pieces vanish; in squared edge lengths
+    bool follows_seams = true; ///< whether the opening of a film continues along it
+    double grade = 0;          ///< growth factor from one edge to the next; 0: uniform lengths
+    bool gives_back = false;   ///< whether area lost in changes of topology is restored
+    Detail detail = InitialOptions{}.detail; ///< treatment of detail finer than the mesh
     double border_tolerance = InitialOptions{}.border_tolerance; ///< in edge lengths
-    Coverage coverage = InitialOptions{}.coverage; ///< what happens to gaps and overlaps
+    Coverage coverage = InitialOptions{}.coverage;               ///< treatment of gaps and overlaps
     RealType real = RealType::double_precision;
-    std::uint64_t seed = 0; ///< shuffles the order in which the interface is worked through; 0: not
+    std::uint64_t seed = 0; ///< shuffles the order in which interface vertices are visited; 0: no
 };
 
 } // namespace dsc::scenes

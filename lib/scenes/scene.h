@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene (thesis, section 9): a shape, a flow, and the shape that an exact method would have at
-// any time.
+// A scene (thesis, section 9): a shape, a flow, and the exact shape at any time.
 #pragma once
 
 #include "dsc/initial/label_image.h"
@@ -23,14 +22,14 @@ namespace dsc::scenes {
 
 /// Motion by curvature.
 struct CurvatureMotion {
-    std::vector<PairCurvature> pairs{}; ///< those of another tension or mobility than 1
-    std::vector<Phase> keeps{};         ///< phases whose areas at the start are kept
+    std::vector<PairCurvature> pairs{}; ///< pairs with a tension or mobility other than 1
+    std::vector<Phase> keeps{};         ///< phases with constant area
 };
 
 /// Growth along the normal, at a speed that changes its sign once.
 struct Growth {
     double speed = 1;    ///< of phase 1 into the exterior
-    double turns_at = 0; ///< the time at which it begins to shrink at that speed
+    double turns_at = 0; ///< the time from which on it shrinks at that speed
 };
 
 /// A small wave on a level or around a circle, whose height over time is known.
@@ -44,14 +43,14 @@ struct SmallWave {
 /// Motion by a fluid that fills the phases.
 struct FluidMotion {
     FluidOptions options{};
-    std::optional<SmallWave> wave{}; ///< that is measured against its exact height
-    /// Exact distance from the left side to where the interface meets the bottom, as a function of
-    /// time. Empty: none.
+    std::optional<SmallWave> wave{}; ///< with a known exact height
+    /// The exact distance from the left side to the end of the interface on the bottom, as a
+    /// function of time. Empty: unknown.
     std::function<double(double time)> neck{};
 };
 
-/// Edges as long as the way from them to the interface divided by their number on it, and none
-/// shorter than the finest.
+/// Edge lengths such that a given number of edges leads to the interface: the distance divided by
+/// this number, but at least the finest length.
 struct EdgesToInterface {
     double finest = 0;
     double number = 0;
@@ -59,7 +58,7 @@ struct EdgesToInterface {
     double operator()(double distance) const { return std::max(finest, distance / number); }
 };
 
-/// Edges of one length in each phase, by its number; the last holds for all that follow.
+/// One edge length for each phase, by its number; the last one also applies to all larger numbers.
 struct LengthByPhase {
     std::vector<double> lengths;
 
@@ -68,8 +67,8 @@ struct LengthByPhase {
     }
 };
 
-/// The application's interpolator of a circle that is to stay round (thesis, section 9.2): a new
-/// vertex lies as far from the centre as its neighbours do on average.
+/// An application's interpolator that keeps a circle round (thesis, section 9.2): the distance of a
+/// new vertex from the centre is the mean of those of its neighbours.
 struct OnCircle {
     Point<double> centre{0.5, 0.5};
 
@@ -84,8 +83,8 @@ struct OnCircle {
 };
 
 /// A value at the vertices of a growing circle and its inside (thesis, section 9.5): 0 at the
-/// start, and on the interface rising to 1. New vertices get theirs by linear interpolation. The
-/// exact field depends on the place alone: what the interface had when it was there.
+/// start, and rising to 1 on the interface. New vertices get values by linear interpolation. The
+/// exact field depends only on the position: the value of the interface when it was there.
 struct RadialValue {
     Point<double> centre{0.5, 0.5};
     double first_radius = 0;
@@ -109,40 +108,41 @@ struct RadialValue {
 struct Setup {
     Rectangle domain{};
     std::vector<Outline> outlines{};
-    std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: each of phase 1
-    std::vector<dsc::Curve> curves{}; ///< in place of outlines: where several phases meet
-    std::shared_ptr<const LabelImage> labels{}; ///< in place of both
-    bool clamped = false;            ///< where curves end on the domain's sides, they stay
-    std::optional<Phase> measured{}; ///< the one whose shape is measured; none: all but 0
+    std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: all are phase 1
+    std::vector<dsc::Curve> curves{}; ///< instead of outlines, if several phases meet
+    std::shared_ptr<const LabelImage> labels{}; ///< instead of outlines and curves
+    bool clamped = false;            ///< whether ends of curves on the domain's sides stay
+    std::optional<Phase> measured{}; ///< the phase whose shape is measured; empty: all but 0
     Flow flow{};
-    std::vector<Phase>
-        advected{}; ///< phases whose inside moves with the flow, not for the reference
+    std::vector<Phase> advected{}; ///< phases whose inside is advected; not for the reference
     std::optional<CurvatureMotion> curvature{}; ///< replaces `flow`; not for the reference
     std::optional<Growth> growth{};             ///< the same
-    std::optional<FluidMotion> fluid{};         ///< the same, in double alone
-    SizeOptions<double> sizes{}; ///< targets of edges; unless edges are all of one length
-    std::vector<PhaseThresholds> thresholds{}; ///< by phase; of all others those of the library
-    std::optional<OnCircle> insertion{};       ///< replaces that of the parameters
-    std::optional<RadialValue> value{};        ///< kept at the vertices; not by the reference
+    std::optional<FluidMotion> fluid{};         ///< the same, only in double
+    SizeOptions<double> sizes{};                ///< target lengths of edges, if not uniform
+    std::vector<PhaseThresholds> thresholds{};  ///< by phase; all others use the library's defaults
+    std::optional<OnCircle> insertion{};        ///< replaces that of the parameters
+    std::optional<RadialValue> value{};         ///< stored at the vertices; not for the reference
     double dt = 0;
     int steps = 0;                  ///< in total
-    std::optional<int> half_step{}; ///< the step at which a reversing flow is farthest out
-    /// What errors are measured against: the first outlines moved rigidly, or the smooth shape of
-    /// the scene. Empty if it is unknown; at times when it is unknown, a shape whose area is NaN.
+    std::optional<int> half_step{}; ///< the step at which the flow turns back
+    /// The exact shape, against which errors are measured: the first outlines moved rigidly, or the
+    /// smooth shape of the scene. Empty if it is unknown; at times when it is unknown, the area of
+    /// the result is NaN.
     std::function<ExactShape(double time)> exact{};
 
-    /// The interface moves by where it is itself, rather than by a given velocity.
+    /// Whether the motion depends on the interface itself rather than on a given velocity.
     [[nodiscard]] bool sees_interface() const { return curvature || growth || fluid; }
 };
 
 struct Scene {
     std::string name;
     std::string description;
-    std::string section; ///< the section of the thesis that it comes from
+    std::string section; ///< the section of the thesis
     Parameters defaults{};
     std::function<Setup(const Parameters&)> prepare{};
     std::vector<std::string> keys = common_keys(); ///< the keys that --set accepts
-    bool counts_steps_each_way = false; ///< the key `steps`; otherwise it counts them all
+    bool counts_steps_each_way =
+        false; ///< whether the key `steps` counts the steps each way, or all
 };
 
 } // namespace dsc::scenes

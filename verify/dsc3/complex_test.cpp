@@ -152,7 +152,7 @@ TEST(Validate3, NoticesEveryKindOfFault) {
             }
         }
     });
-    EXPECT_NE(p.find("lies on no side"), std::string::npos) << p;
+    EXPECT_NE(p.find("does not lie on a side"), std::string::npos) << p;
 }
 
 TEST(Validate3, CountsTheEulerNumbersOfSurfaces) {

@@ -96,7 +96,7 @@ TEST(Shapes3, SurfacesThatEncloseNothingAreRefusedWithThePlace) {
     bad.triangles[2][1] = 8;
     EXPECT_NE(refusal(bad).find("no such point"), std::string::npos);
     bad.triangles.clear();
-    EXPECT_NE(refusal(bad).find("without triangles"), std::string::npos);
+    EXPECT_NE(refusal(bad).find("has no triangles"), std::string::npos);
     bad = good; // two boxes that cross
     const TriangleSurface other = box_surface({0.5, 0.5, 0.5}, {1.5, 1.5, 1.5});
     bad.points.insert(bad.points.end(), other.points.begin(), other.points.end());

@@ -60,7 +60,7 @@ TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {
     expect_refused("given twice", [](auto& o) {
         o.tensions = {{.one = 0, .other = 1}, {.one = 1, .other = 0}};
     });
-    expect_refused("no interface between", [](auto& o) { o.tensions = {{.one = 1, .other = 1}}; });
+    expect_refused("names one phase twice", [](auto& o) { o.tensions = {{.one = 1, .other = 1}}; });
     expect_refused("phase 7", [](auto& o) { o.tensions = {{.one = 0, .other = 7}}; });
 }
 
@@ -91,7 +91,7 @@ TEST(FluidOptions, TheDomainIsALevelRectangle) {
     for (const auto& complex : {squares(2, 2), squares(3, 4), squares(2, no_id, bit),
                                 test::wheel<double>(4), test::hexagon<double>()}) {
         const std::string refused = sentence(complex);
-        EXPECT_TRUE(refused.starts_with("Fluid: the domain is no rectangle")) << refused;
+        EXPECT_TRUE(refused.starts_with("Fluid: the domain is not a rectangle")) << refused;
     }
     const std::string moved = sentence(squares(2, no_id, bit));
     EXPECT_NE(moved.find("to (2.0000000000000004, 2)"), std::string::npos) << moved;

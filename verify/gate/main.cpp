@@ -80,7 +80,7 @@ Cases cases_of(const std::string& path, const std::string& suite) {
                 throw dsc::InputError({.what = "the run does not measure the figure of this limit",
                                        .where = held.limit.where,
                                        .value = reason,
-                                       .allowed = "limits of figures that the run has"});
+                                       .allowed = "figures that the run measures"});
             }
         }
         cases.push_back(std::make_shared<const Case>(std::move(same)));

@@ -67,7 +67,7 @@ void read_limits(const TableReader& limits, const Common& common, bool is_own, C
             limits.refuse(check->name,
                           "the run does not measure the figure of this limit in case " + c.name +
                               ", " + reason,
-                          "limits of figures that the run has");
+                          "figures that the run measures");
         }
         c.held.push_back({check, limit});
     }

@@ -186,7 +186,7 @@ CASES = {
     "growth of one phase": (lambda mesh: dsc.growth({1: 2}), TypeError, "incompatible"),
     "fluid in a domain of another shape": (
         lambda mesh: fluid_of(phases={0: (1, 1), 1: (1, 1)}, tensions={})(l_shape()), INPUT,
-        r"the domain is no rectangle.*got a boundary edge from \(0\.5, "),
+        r"the domain is not a rectangle.*got a boundary edge from \(0\.5, "),
     "fluid without a phase": (fluid_of(phases={0: (1, 1)}), INPUT, "phase|tension"),
     "fluid without gravity's second number": (fluid_of(gravity=(1,)), INPUT, r"gravity.*shape"),
     "picture in no folder": (lambda mesh: mesh.write_svg("/no/such/folder/a.svg"), OSError, "/no/such/folder/a.svg"),

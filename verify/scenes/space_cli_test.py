@@ -86,7 +86,7 @@ class OwnScenesInSpace(CommandLine):
         done = self.call("run", scene, "--checkpoint", checkpoint, "--every", "3", "--stop-after", "4",
                          "--frames", frames[1])
         self.assertEqual(done.returncode, 1)
-        self.assertIn("interrupted after step 4; to go on:", done.stderr)
+        self.assertIn("interrupted after step 4; continue with:", done.stderr)
         resumed = self.result("--resume", checkpoint, "--frames", frames[1], "--every", "3")
         for key in ("mesh_hash", "operations", "moves", "sub_steps", "volume_ratio", "tets_first",
                     "min_dihedral_deg_ever"):

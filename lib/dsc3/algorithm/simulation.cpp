@@ -12,8 +12,8 @@ namespace dsc3 {
 
 namespace {
 
-// A velocity that grows in time may take vertices so much farther than the speed at the beginning
-// of a sub-step promised; beyond, the sub-step is cut again.
+// Vertices may move farther than the speed at the beginning of a sub-step predicts, up to this
+// factor; otherwise the sub-step is shortened.
 constexpr Real sub_step_slack = 1.25;
 
 const Options& checked(const Options& options) {
@@ -32,16 +32,16 @@ Simulation::Simulation(Complex& complex, const Options& options)
 
 StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
     if (!(dt >= 0) || !std::isfinite(dt) || !std::isfinite(time)) {
-        throw InputError({.what = "a step into the past, or to no time",
+        throw InputError({.what = "cannot step: bad time or dt",
                           .where = "Simulation::step",
                           .value = "time " + dsc::to_text(time) + ", dt " + dsc::to_text(dt),
                           .allowed = "finite times, dt of 0 or more"});
     }
     if (complex_.attributes.has_fields()) {
-        throw InputError({.what = "an attribute is a field",
+        throw InputError({.what = "attributes that sample a field are not supported in 3D",
                           .where = "Simulation::step",
                           .value = "set_field(true)",
-                          .allowed = "values that vertices keep: fields in space are not sampled"});
+                          .allowed = "attributes whose values belong to vertices"});
     }
     if (version_ != complex_.version) { // the application has edited the complex
         state_.grow();
@@ -74,7 +74,8 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
     return report;
 }
 
-// Where the flow takes the vertices from: for those that are late, where they should have been.
+// The positions from which the flow moves the vertices; for vertices that did not arrive, their
+// last targets.
 void Simulation::find_origins() {
     state_.update_interface();
     origins_.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One time step. The sub-step is the outermost loop: no vertex is asked to move more than a
-// fraction of an edge length at a time, and all passes end before the next sub-step begins.
+// One time step. The sub-step is the outermost loop: in a sub-step no target is farther than a
+// fraction of an edge length, and all passes end before the next sub-step begins.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -15,25 +15,25 @@ using dsc::GiveUp;
 /// What one step did.
 struct StepReport {
     OperationCounts operations;  ///< counts of what was done
-    std::uint32_t sub_steps = 0; ///< how many the step was cut into
+    std::uint32_t sub_steps = 0; ///< number of sub-steps
     std::uint32_t passes = 0;    ///< of movement and mesh repair, summed over sub-steps
-    /// Vertices that did not arrive, summed over sub-steps; includes `held`. Each goes on from
-    /// where it should have been.
+    /// Vertices that did not arrive, summed over sub-steps; includes `held`. Their motion continues
+    /// from the target that they missed.
     std::uint64_t unreached = 0;
-    std::uint64_t held = 0;     ///< of these: held because of a velocity that was not finite
-    std::uint64_t unjammed = 0; ///< interface collapses with laxer rules, to let vertices arrive
-    /// Vertices of the interface, summed over sub-steps: what the cost of a step is measured by.
+    std::uint64_t held = 0;     ///< vertices that stayed because their velocity was not finite
+    std::uint64_t unjammed = 0; ///< interface collapses under relaxed rules, to let vertices arrive
+    /// Vertices of the interface, summed over sub-steps: a measure of the work of a step.
     std::uint64_t moves = 0;
     double error = 0;                     ///< the largest estimate of `adaptive`, a length
-    GiveUp gave_up = GiveUp::none;        ///< `none` if the step was done as a whole
+    GiveUp gave_up = GiveUp::none;        ///< `none` if the step was completed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
-    double reached = 0; ///< the time at the end: earlier than asked for if the step gave up
+    double reached = 0; ///< the time at the end; earlier than `time + dt` if the step gave up
 };
 
 /// A simulation of a complex. Keeps a reference to the complex, which must outlive it, and a copy
 /// of the options. Between two steps the application may edit the complex by the public operations:
-/// the next step then finds the interface anew. Not thread-safe itself. Only one simulation a
-/// complex at a time: the constructor throws InputError where another one lives.
+/// the next step then searches for the interface again. Not thread-safe. A complex has at most one
+/// simulation at a time: the constructor throws InputError if there is another one.
 class Simulation : public Unmovable {
 public:
     /// Throws InputError if an option is out of range.
@@ -41,14 +41,14 @@ public:
 
     [[nodiscard]] const Options& options() const { return options_; }
 
-    /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
-    /// them). Throws InputError if dt is negative or not finite, or an attribute is a field.
+    /// Moves the interface from `time` to `time + dt`. O(interface vertices and changed tets).
+    /// Throws InputError if dt is negative or not finite, or an attribute is a field.
     StepReport step(const Velocity& velocity, Real time, Real dt);
 
-    /// Writes all that the steps to come depend on, the complex included, or reads it back into a
-    /// simulation with the same options; the steps that follow are then the same to the bit.
-    /// O(n log n). Throws FileError if the bytes hold no valid complex, or one with other
-    /// attributes: the simulation and its complex then go on from where they were.
+    /// Writes the whole state, the complex included, or reads it back into a simulation with the
+    /// same options; the following steps are then bitwise identical. O(n log n). Throws FileError
+    /// if the bytes hold no valid complex, or one with other attributes; the simulation and its
+    /// complex are then unchanged.
     void archive(dsc::Archive& archive);
 
     /// The vertices of the interface, by ascending id.
@@ -57,7 +57,7 @@ public:
 private:
     struct Late {
         std::uint32_t vertex = no_id;
-        /// Where it is: a new vertex that got the id of an old one is elsewhere.
+        /// Its position: distinguishes it from a new vertex that reuses the id.
         Point place = Point::Zero();
         Point target = Point::Zero();
     };

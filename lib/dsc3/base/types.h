@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words that all other files use. What does not depend on the dimension is that of lib/dsc:
-// phases, handles, verdicts, errors, archives.
+// Basic types. Those that do not depend on the dimension come from lib/dsc: phases, handles,
+// verdicts, errors, archives.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -15,8 +15,9 @@
 
 namespace dsc3 {
 
-/// Coordinates are doubles. Floats would not do: volumes are products of three lengths, and a step
-/// is bound by the way to the caches rather than by arithmetic.
+/// Coordinates are doubles. Floats would be too inaccurate, because volumes are products of three
+/// lengths, and hardly faster, because a step is limited by memory access rather than by
+/// arithmetic.
 using Real = double;
 
 /// A point or a vector of space.
@@ -44,11 +45,11 @@ using Vertex = Handle<VertexTag>;
 /// A 3-simplex.
 using Tet = Handle<TetTag>;
 
-/// A corner is 4 * tet + 0, 1, 2 or 3. It names a vertex of a tet, and the face opposite to it.
-/// Tet 0 is the border: it stands in for a missing neighbour, and its phase differs from all
+/// A corner is 4 * tet + 0, 1, 2 or 3. It names a vertex of a tet, and the face opposite to it. Tet
+/// 0 is the border: it takes the place of a missing neighbour, and its phase differs from all
 /// others.
 inline constexpr std::uint32_t border_tet = 0;
-/// A corner of the border: what is on the other side of the faces of the domain boundary.
+/// A corner of the border: the neighbour across a face of the domain boundary.
 inline constexpr Corner border_corner = 0;
 
 /// The tet of a corner.

@@ -154,8 +154,8 @@ Complex make_complex(std::span<const Point> points,
         }
         const int sign =
             orientation(points[tet.v[0]], points[tet.v[1]], points[tet.v[2]], points[tet.v[3]]);
-        expect(sign != 0, "a tet without volume", i, to_text(points[tet.v[0]]),
-               "four points that lie in no plane");
+        expect(sign != 0, "a tet has no volume", i, to_text(points[tet.v[0]]),
+               "four points that are not coplanar");
         if (sign < 0) {
             std::swap(tet.v[2], tet.v[3]);
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data structure: tets and vertices in contiguous arrays. A neighbour is stored as 4 * tet +
-// opposite corner, so no index is ever searched for. Faces and edges are derived, and so is the
+// opposite corner, so no index has to be searched for. Faces and edges are derived, and so is the
 // interface: the faces between tets of different phases.
 #pragma once
 
@@ -35,12 +35,12 @@ using VertexAttribute = dsc::Attribute<T, Vertex>;
 template <class T>
 using TetAttribute = dsc::Attribute<T, Tet>;
 
-/// What is known of a vertex. The first two follow from the tets around it; `validate` checks them.
+/// Properties of a vertex. The first two follow from the tets around it; `validate` checks them.
 enum VertexFlag : std::uint32_t {
     vertex_interface = 1U, ///< on a face between two phases
     vertex_boundary = 2U,  ///< on a face of the domain boundary: it does not move
     vertex_dead = 4U,      ///< the id is free
-    /// Smoothing has nothing to gain here until something in the star changes.
+    /// Smoothing cannot improve the star until it changes.
     vertex_settled = 8U,
 };
 
@@ -116,13 +116,13 @@ public:
         const auto& v = tets[t.id].v;
         return {at(v[0]), at(v[1]), at(v[2]), at(v[3])};
     }
-    /// Moves a vertex, even if a tet turns over.
+    /// Moves a vertex, even if a tet is inverted.
     void set_position(Vertex v, const Point& p) {
         vertices[v.id].position = p;
         ++version;
     }
     [[nodiscard]] Phase phase(Tet t) const { return phases[t.id]; }
-    /// Changes the phase of a living tet, and whether its vertices are on the interface. O(star).
+    /// Changes the phase of a living tet, and updates the interface flags of its vertices. O(star).
     void set_phase(Tet t, Phase phase);
     /// Whether the vertex is on a face between two phases.
     [[nodiscard]] bool is_interface(Vertex v) const {
@@ -134,7 +134,7 @@ public:
     }
 
     // --- ids ----------------------------------------------------------------------------------
-    /// A new vertex, which has no tet yet.
+    /// The id of a new vertex, which has no tet yet.
     std::uint32_t take_vertex(const Point& position, std::uint32_t flags);
     /// An id for a tet. Throws InputError if there are no more.
     std::uint32_t take_tet();
@@ -142,14 +142,14 @@ public:
     void give_tet(std::uint32_t id);
 
     /// Data of the application, added by `attributes.add<dsc3::Vertex>("heat", 20.0)` or for `Tet`.
-    /// A vertex that splits an edge gets the blend of both ends, and otherwise a vertex keeps its
-    /// value: values are no samples of a field. A new tet inherits from the nearest of the tets of
-    /// its phase whose place it takes. What an attribute throws in an edit comes out when the
-    /// sub-step is done.
+    /// A vertex that splits an edge gets a blend of the values of both ends; otherwise a vertex
+    /// keeps its value: values do not sample a field. A new tet inherits from the nearest of the
+    /// replaced tets of its phase. An exception that an attribute throws in an edit is rethrown at
+    /// the end of the sub-step.
     dsc::AttributeSet attributes;
-    /// Grows with each edit: tells a simulation that the application has changed something.
+    /// Grows with each edit, so that a simulation notices edits of the application.
     std::uint64_t version = 0;
-    dsc::InUse in_use; ///< a second simulation at the same time is refused
+    dsc::InUse in_use; ///< refuses a second simulation at the same time
 
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord> vertices;       ///< by id
@@ -161,26 +161,25 @@ public:
 
 /// Builds a complex from arrays: `tets` index into `points` and may be oriented either way;
 /// `phases` has one entry a tet. Throws InputError if a coordinate is not finite, an index is out
-/// of range, a tet is degenerate, a face has more than two tets, or a phase is reserved. Whether
-/// the result is an embedding is for `validate` to say. O(n log n). Vertex i of the complex is
-/// point i, tet t the id t + 1.
+/// of range, a tet is degenerate, a face has more than two tets, or a phase is reserved. `validate`
+/// checks whether the result is an embedding. O(n log n). Vertex i of the complex is point i; tet t
+/// gets the id t + 1.
 [[nodiscard]] Complex make_complex(std::span<const Point> points,
                                    std::span<const std::array<std::uint32_t, 4>> tets,
                                    std::span<const Phase> phases);
 
 /// Writes a complex exactly as it is, or reads it back into one that has the same attributes: ids,
-/// free ids in their order, flags, and the entries of the attributes. Throws FileError for one with
-/// other attributes, or that is no valid complex; what was there stays then. References to
+/// free ids in their order, flags, and the entries of the attributes. Throws FileError if the bytes
+/// hold other attributes or no valid complex; the complex is then unchanged. References to
 /// attributes stay valid. O(n log n).
 void archive(dsc::Archive& archive, Complex& complex);
 
-/// Renumbers vertices and tets along a Morton curve, which makes a step faster by a quarter, and
-/// drops the free ids. All handles become invalid. O(n log n).
+/// Renumbers vertices and tets along a Morton curve, which makes a step a quarter faster, and drops
+/// the free ids. All handles become invalid. O(n log n).
 void renumber(Complex& complex);
 
-/// A fingerprint of the mesh: a hash of the living tets by the coordinates of their vertices, bit
-/// by bit, and their phases. Independent of ids, and of which of its corners is a tet's first.
-/// O(n).
+/// A hash of the mesh: of the bits of the coordinates of the vertices of all living tets, and of
+/// their phases. Independent of ids and of the order of the corners of a tet. O(n).
 [[nodiscard]] std::uint64_t mesh_hash(const Complex& complex);
 
 } // namespace dsc3

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t cells = 1U << 21U;
 
-// Every third bit.
+// Moves the bits of x to every third bit.
 std::uint64_t spread(std::uint64_t x) {
     x = (x | x << 32U) & 0x1f00000000ffffULL;
     x = (x | x << 16U) & 0x1f0000ff0000ffULL;

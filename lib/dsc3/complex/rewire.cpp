@@ -22,7 +22,7 @@ void FaceTable::clear(std::size_t faces) {
 
 namespace {
 
-// What a face's slot holds if both tets of the face vanish.
+// The entry of a face whose two tets are both replaced.
 constexpr Corner inner = no_id;
 
 std::array<std::uint32_t, 3> face_key(const Complex& complex, Corner corner) {
@@ -44,7 +44,7 @@ Point centre_of(const Complex& complex, const Vertices& v) {
     return 0.25 * (complex.at(v[0]) + complex.at(v[1]) + complex.at(v[2]) + complex.at(v[3]));
 }
 
-// For each new tet the nearest old one of its phase, or of any if there is none.
+// For each new tet, finds the nearest old one of its phase, or of any phase if there is none.
 void find_heirs(const Complex& complex, std::vector<std::uint32_t>& heirs,
                 std::span<const std::uint32_t> old, std::span<const NewTet> made) {
     heirs.clear();
@@ -65,7 +65,7 @@ void find_heirs(const Complex& complex, std::vector<std::uint32_t>& heirs,
     }
 }
 
-// New tets have taken the ids of old ones, so the old values lie beyond all ids meanwhile.
+// New tets reuse the ids of old ones, so the old values are first copied beyond all ids.
 void inherit(Complex& complex, std::span<const std::uint32_t> heirs,
              std::span<const std::uint32_t> old, std::span<const std::uint32_t> made) {
     const std::uint32_t bound = complex.tet_bound();
@@ -86,7 +86,7 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
              std::span<const NewTet> made, std::uint32_t unmatched) {
     FaceTable& faces = work.faces;
     faces.clear(4 * (old.size() + made.size()));
-    std::uint32_t open = 0; // outer faces of the old tets that no new one has met, and new ones
+    std::uint32_t open = 0; // outer faces of old and new tets that have no partner
     for (const std::uint32_t t : old) {
         for (std::uint32_t i = 0; i < 4; ++i) {
             const auto key = face_key(complex, corner_of(t, i));

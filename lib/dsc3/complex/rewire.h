@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one door: connectivity and phases change here and nowhere else. An operation names the tets
-// that vanish and those that take their place; faces are matched by their vertices.
+// The only place where connectivity and phases change. An operation lists the old tets and the new
+// ones that replace them; faces are matched by their vertices.
 #pragma once
 
 #include "dsc3/complex/complex.h"
@@ -25,7 +25,7 @@ public:
         Corner corner = 0;
         std::uint32_t epoch = 0;
     };
-    /// Forgets all faces, and makes room for so many.
+    /// Removes all faces, and reserves room for this number.
     void clear(std::size_t faces);
     /// The slot of a face: its own, or a free one. O(1).
     Slot& find(const std::array<std::uint32_t, 3>& key) {
@@ -50,19 +50,19 @@ private:
     std::uint32_t epoch_ = 1;
 };
 
-/// The arrays of the door, and what it tells.
+/// The arrays and results of `replace`.
 struct Rewiring {
     FaceTable faces;
-    std::vector<std::uint32_t> old;       ///< tets that vanish, as operations list them
-    std::vector<NewTet> made;             ///< tets to be made, as operations list them
+    std::vector<std::uint32_t> old;       ///< tets to be removed, as listed by an operation
+    std::vector<NewTet> made;             ///< tets to be made, as listed by an operation
     std::vector<std::uint32_t> changed;   ///< ids of tets that were written; the caller empties it
     std::vector<std::uint32_t> interface; ///< new vertices of the interface; the caller empties it
-    std::vector<std::uint32_t> heirs;     ///< for each new tet, which old one it inherits from
+    std::vector<std::uint32_t> heirs;     ///< for each new tet, the old one whose data it inherits
 };
 
-/// Replaces tets that fill a region by others that fill it. A face of the boundary that changes has
-/// no partner: `unmatched` says how many such faces, old and new, there are. Throws InvariantError
-/// if the two do not have the same faces on the outside. O(tets).
+/// Replaces tets that fill a region by others that fill the same region. Old and new faces on the
+/// domain boundary that differ have no partner: `unmatched` is their number. Throws InvariantError
+/// if old and new tets do not have the same outer faces. O(tets).
 void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> old,
              std::span<const NewTet> made, std::uint32_t unmatched = 0);
 

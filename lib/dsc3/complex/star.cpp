@@ -8,7 +8,7 @@ namespace dsc3 {
 
 void IdTable::clear() {
     count_ = 0;
-    if (mask_ != 255) { // a large table is dear to empty for the small stars that follow
+    if (mask_ != 255) { // clearing a large table for the small stars that follow would be slow
         *this = IdTable();
         return;
     }
@@ -72,7 +72,7 @@ std::array<std::uint32_t, 2> across(const TetRecord& tet, std::uint32_t a, std::
 } // namespace
 
 bool gather(const Complex& complex, const EdgeAt& edge, Ring& ring) {
-    // Back to a face of the boundary, if there is one.
+    // Walk back to a face of the domain boundary, if there is one.
     std::uint32_t first = edge.tet;
     std::uint32_t steps = 0;
     auto [c, d] = across(complex.tets[first], edge.a, edge.b);
@@ -88,7 +88,7 @@ bool gather(const Complex& complex, const EdgeAt& edge, Ring& ring) {
         d = c;
         c = complex.vertex(other);
         if (first == edge.tet) {
-            break; // around once: (c, d) are those of the first tet again
+            break; // once around: (c, d) are those of the first tet again
         }
         if (++steps > ring_limit) {
             return false;

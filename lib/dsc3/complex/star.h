@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies around a vertex or an edge. Walks write nothing that others read: which tets they have
-// met is kept in a small table of the walk's own.
+// The star of a vertex or an edge. Walks do not modify the complex: each walk has its own small
+// table of visited tets.
 #pragma once
 
 #include "dsc3/complex/complex.h"
@@ -10,12 +10,12 @@
 
 namespace dsc3 {
 
-/// The ids that a walk has met: a hash table, small enough for the nearest cache.
+/// The ids that a walk has visited: a hash table that fits into the first-level cache.
 class IdTable {
 public:
-    /// Forgets all ids.
+    /// Removes all ids.
     void clear();
-    /// Whether the id, not `no_id`, is new; it is known from now on. O(1).
+    /// Adds an id, which must not be `no_id`. Returns whether it is new. O(1).
     bool enter(std::uint32_t id) {
         std::uint32_t place = (id * 2654435761U) >> shift_;
         for (; slots_[place] != no_id; place = (place + 1) & mask_) {
@@ -42,8 +42,8 @@ private:
 /// The tets around a vertex, by their corners there.
 struct Star {
     std::uint32_t centre = no_id; ///< the vertex
-    std::vector<Corner> corners; ///< in the order in which a walk from the vertex's corner met them
-    IdTable met;                 ///< scratch
+    std::vector<Corner> corners;  ///< in the order of a walk from the vertex's corner
+    IdTable met;                  ///< scratch
 };
 
 /// Gathers the star of a living vertex. O(degree).
@@ -72,7 +72,7 @@ struct EdgeAt {
 [[nodiscard]] EdgeAt find_edge(const Complex& complex, std::uint32_t a, std::uint32_t b,
                                Star& star);
 
-/// Edges of more tets are left alone.
+/// No operation edits edges with more tets.
 inline constexpr std::uint32_t ring_limit = 60;
 
 /// The tets around an edge (a, b): tet i is (a, b, vertices[i], vertices[i + 1]).
@@ -89,7 +89,7 @@ struct Ring {
     }
 };
 
-/// Gathers the ring of an edge; false if it has more than `ring_limit` tets. O(size).
+/// Gathers the star of an edge; false if it has more than `ring_limit` tets. O(size).
 [[nodiscard]] bool gather(const Complex& complex, const EdgeAt& edge, Ring& ring);
 
 } // namespace dsc3

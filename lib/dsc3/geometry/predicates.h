@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact sign of a volume: a static filter answers nearly always, Boost.Multiprecision the rest.
+// The exact sign of a volume: a static filter decides nearly all, Boost.Multiprecision the rest.
 #pragma once
 
 #include "dsc3/base/types.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which triangles of a surface are near a place or a box: not public.
+// Finds the triangles of a surface near a point or a box: not public.
 #pragma once
 
 #include "dsc3/initial/shapes.h"
@@ -30,8 +30,8 @@ inline bool overlap(const Box& a, const Box& b) {
     return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
 }
 
-// A tree of boxes around triangles, which it does not own. Children follow their parent: the first
-// directly.
+// A tree of boxes around triangles, which it does not own. The first child is stored directly after
+// its parent.
 class BoxTree {
 public:
     explicit BoxTree(const TriangleSurface& surface) : surface_(surface) {
@@ -40,8 +40,9 @@ public:
         build(0, static_cast<std::uint32_t>(order_.size()));
     }
 
-    // Calls `visit(triangle)` for all whose box may matter: `is_near(box)` says so, which may get
-    // narrower meanwhile. Of two children the one for which `comes_first(its box, the other)`.
+    // Calls `visit(triangle)` for the triangles in boxes with `is_near(box)`, which may become
+    // stricter during the search. Visits the child first for which `comes_first(its box, the
+    // other)`.
     template <class IsNear, class ComesFirst, class Visit>
     void search(IsNear is_near, ComesFirst comes_first, Visit visit, std::uint32_t node = 0) const {
         const Node& here = nodes_[node];

@@ -34,7 +34,7 @@ struct Side {
     }
 };
 
-// Nearest points to places, with a sign.
+// Signed distances from points to the nearest points of the surface.
 class SignedDistance {
 public:
     explicit SignedDistance(TriangleSurface surface) : surface_(std::move(surface)) {
@@ -96,11 +96,11 @@ private:
             return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
         });
         if (surface_.triangles.empty()) {
-            refuse(surface_, "a surface without triangles", "", "0 triangles", "4 or more");
+            refuse(surface_, "the surface has no triangles", "", "0 triangles", "4 or more");
         }
     }
 
-    // The triangles on the other side of each edge.
+    // Finds the neighbours of each triangle.
     void link() {
         std::vector<Side> sides;
         for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
@@ -132,7 +132,7 @@ private:
         }
     }
 
-    // Each part like its first triangle, and all so that they enclose a volume.
+    // Orients each part like its first triangle, and then so that it encloses a positive volume.
     void orient() {
         auto& triangles = surface_.triangles;
         std::vector<std::uint8_t> is_done(triangles.size(), 0);
@@ -184,7 +184,7 @@ private:
         const Triangle3& v = surface_.triangles[t];
         return (v[0] == a && v[1] == b) || (v[1] == a && v[2] == b) || (v[2] == a && v[0] == b);
     }
-    // The edges from corners 0, 1, 2 become those from 1, 0, 2.
+    // Reverses a triangle: the edges from corners 0, 1, 2 become those from 1, 0, 2.
     void turn_over(std::uint32_t t) {
         std::swap(surface_.triangles[t][0], surface_.triangles[t][2]);
         std::swap(beside_[t][0], beside_[t][1]);
@@ -202,7 +202,7 @@ private:
                           });
         }
     }
-    // No edge of s that has no vertex of t crosses t.
+    // Throws if an edge of s that shares no vertex with t crosses t.
     void expect_apart(std::uint32_t s, std::uint32_t t) const {
         const Triangle3& of = surface_.triangles[t];
         const auto is_common = [&](std::uint32_t v) {
@@ -230,7 +230,7 @@ private:
                        to_text(midpoint(surface_.points[p], surface_.points[q])),
                        "triangles " + std::to_string(std::min(s, t)) + " and " +
                            std::to_string(std::max(s, t)),
-                       "surfaces whose triangles meet at common vertices and edges only");
+                       "surfaces whose triangles share only vertices and edges");
             }
         }
     }

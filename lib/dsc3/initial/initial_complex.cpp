@@ -14,13 +14,13 @@ namespace dsc3 {
 
 namespace {
 
-// Near the interface edges are at most this long, in edge lengths: the cut makes them shorter.
+// Longest edges near the interface before it is cut, in edge lengths; the cut makes them shorter.
 constexpr Real longest_near = 1.5;
-// A vertex snaps to a shape that is nearer than this share of its shortest edge, if the tets around
-// it stay better than that.
+// A vertex snaps to a shape that is nearer than the first fraction of its shortest edge, if the
+// quality of the tets around it stays above the second.
 constexpr Real snap_distance = 0.3;
 constexpr Real snap_quality = 0.15;
-// The first complex is improved to this quality.
+// Target quality of the improvement of the first complex.
 constexpr Real start_quality = 0.35;
 
 class Start {
@@ -52,7 +52,7 @@ private:
         return longest_near * h + options_.growth * std::max(Real(0), nearest - h);
     }
 
-    // The foot of p on the surface where the distance is 0, by Newton's method.
+    // Projects p on the surface where the distance is 0, by Newton's method.
     [[nodiscard]] Point project(const Distance& distance, Point p) const {
         const Real e = 1e-5 * options_.edge_length;
         for (int i = 0; i < 4; ++i) {
@@ -80,7 +80,7 @@ private:
             while (cut(shape, t)) { // the tet keeps its id, and one half
             }
         }
-        // Tets that a cut has left behind, or given a new id, have no crossing edge any more.
+        // No tet after a cut, whether its id is old or new, has a crossing edge.
         bool is_seen = false;
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
             if (is_inside(shape, t)) {
@@ -89,10 +89,11 @@ private:
             }
         }
         if (!is_seen) {
-            throw InputError({.what = "a shape is too small to be seen",
-                              .where = "initial_complex",
-                              .value = "an edge length of " + dsc::to_text(options_.edge_length),
-                              .allowed = "a shape of several edge lengths inside the domain"});
+            throw InputError(
+                {.what = "a shape is too small for the mesh",
+                 .where = "initial_complex",
+                 .value = "an edge length of " + dsc::to_text(options_.edge_length),
+                 .allowed = "a shape inside the domain that is several edge lengths wide"});
         }
         mark();
         work_.rewiring.changed.clear();
@@ -131,7 +132,7 @@ private:
         }
     }
 
-    // A tet that the shape crosses has no vertex of the interface of an earlier one.
+    // Throws if a tet that the shape crosses has a vertex on the interface of an earlier shape.
     void expect_apart(std::uint32_t t) const {
         bool is_old = false;
         bool is_inside = false;
@@ -143,10 +144,11 @@ private:
         }
         if (is_old && is_inside && is_outside) {
             throw InputError(
-                {.what = "two shapes are too near to each other",
+                {.what = "two shapes are too close to each other",
                  .where = "initial_complex, at " + to_text(complex_.at(complex_.tets[t].v[0])),
                  .value = "less than two edge lengths",
-                 .allowed = "shapes that lie apart, or well within each other"});
+                 .allowed = "shapes that are at least two edge lengths apart, outside or inside "
+                            "each other"});
         }
     }
 
@@ -166,7 +168,7 @@ private:
         }
     }
 
-    // Cuts an edge of the tet that crosses the shape; whether there was one.
+    // Cuts an edge of the tet that crosses the shape. Returns whether there was one.
     bool cut(const Shape& shape, std::uint32_t t) {
         const auto v = complex_.tets[t].v;
         for (std::uint32_t i = 0; i < 4; ++i) {
@@ -197,7 +199,7 @@ private:
             const bool is_before = (distance(from + middle * way) < 0) == (values_[a] < 0);
             (is_before ? low : high) = middle;
         }
-        // Not so near to an end that the tets beside it have no volume.
+        // Keeps away from the ends, where the new tets would have no volume.
         return from + std::clamp((low + high) / 2, 1e-3, 1 - 1e-3) * way;
     }
 
@@ -279,11 +281,10 @@ Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
                         const InitialOptions& options) {
     const Point size = domain.high - domain.low;
     if (!(size.minCoeff() > 0) || !size.allFinite()) {
-        throw InputError(
-            {.what = "the domain has no volume",
-             .where = "initial_complex",
-             .value = to_text(domain.low) + " to " + to_text(domain.high),
-             .allowed = "finite corners, the second beyond the first in each direction"});
+        throw InputError({.what = "the domain has no volume",
+                          .where = "initial_complex",
+                          .value = to_text(domain.low) + " to " + to_text(domain.high),
+                          .allowed = "finite corners, `high` above `low` in each coordinate"});
     }
     dsc::require(
         options.edge_length > size.maxCoeff() / 4096 && options.edge_length <= size.minCoeff() / 4,
@@ -291,10 +292,10 @@ Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
     dsc::require(options.growth >= 0 && options.growth <= 2, "growth", options.growth, "0 to 2");
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         if (!shapes[i].distance || shapes[i].phase == border_phase) {
-            throw InputError({.what = "a shape without a distance, or with a reserved phase",
+            throw InputError({.what = "a shape has no distance function, or a reserved phase",
                               .where = "initial_complex, shape " + std::to_string(i),
                               .value = std::to_string(shapes[i].phase),
-                              .allowed = "a function, and phases below 4294967295"});
+                              .allowed = "a function, and a phase below 4294967295"});
         }
     }
     return Start(domain, shapes, options).run();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The complex that a scene starts from: a box with any number of shapes, each with its phase. A
-// lattice of cubes of six tets each (H. W. Kuhn 1960) is bisected at longest edges until it is fine
-// near the shapes and coarse elsewhere (M.-C. Rivara 1984); its vertices near a shape snap to it,
-// edges that cross it are cut, and the mesh is improved.
+// The first complex of a scene: a box with any number of shapes, each with its phase. A lattice of
+// cubes of six tets each (H. W. Kuhn 1960) is bisected at longest edges until it is fine near the
+// shapes and coarse elsewhere (M.-C. Rivara 1984); its vertices near a shape snap to it, edges that
+// cross it are cut, and the mesh is improved.
 #pragma once
 
 #include "dsc3/complex/complex.h"
@@ -13,8 +13,8 @@
 
 namespace dsc3 {
 
-/// Negative inside a shape, positive outside: the signed distance to its surface, or roughly so,
-/// since it says how far away edges may be longer.
+/// The signed distance to the surface of a shape: negative inside, positive outside. It may be
+/// approximate; away from the surface it only determines how long edges may be.
 using Distance = std::function<Real(const Point&)>;
 
 /// A region and its phase.
@@ -35,20 +35,20 @@ struct Box {
 /// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
     Real edge_length = 0.05; ///< of the interface, in units of the coordinates
-    Real growth = 0.7;       ///< of the longest edge with the distance to the nearest shape
+    Real growth = 0.7;       ///< of the largest edge length per distance to the nearest shape
     int improve_rounds = 4;  ///< rounds of interface remeshing and mesh repair
     bool renumber = true;    ///< order ids along a space-filling curve
 };
 
-/// Fills `domain` with tets, with the surfaces of `shapes` as the interface. Of shapes that lie
-/// within each other the later one counts. The same input gives the same bits.
+/// Fills `domain` with tets, with the surfaces of `shapes` as the interface. Where a shape lies
+/// inside another, the later one counts. The same input gives bitwise identical meshes.
 ///
-/// \throw InputError where a side or the edge length makes no sense, a shape reaches the sides of
-/// the domain, comes nearer than two edge lengths to another, or is too small to be seen.
+/// \throw InputError if a side or the edge length is out of range, or a shape reaches the sides of
+/// the domain, is nearer than two edge lengths to another, or is too small for the mesh.
 [[nodiscard]] Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
                                       const InitialOptions& options = {});
 
-/// The same for shapes in braces.
+/// The same for a list of shapes in braces.
 [[nodiscard]] inline Complex initial_complex(const Box& domain, std::initializer_list<Shape> shapes,
                                              const InitialOptions& options = {}) {
     return initial_complex(domain, std::span(shapes.begin(), shapes.size()), options);

@@ -34,7 +34,7 @@ Complex lattice(const Box& domain) {
         for (at[1] = 0; at[1] <= n[1]; ++at[1]) {
             for (at[0] = 0; at[0] <= n[0]; ++at[0]) {
                 Point p;
-                for (std::uint32_t i = 0; i < 3; ++i) { // the sides lie where they were said to be
+                for (std::uint32_t i = 0; i < 3; ++i) { // exactly on the sides
                     p[i] = at[i] == n[i] ? domain.high[i] : domain.low[i] + size[i] * at[i] / n[i];
                 }
                 points.push_back(p);
@@ -64,8 +64,8 @@ Complex lattice(const Box& domain) {
 
 namespace {
 
-// The longest edge, the same one for all tets that have it: ties are broken by the vertices, so
-// that the longest edges on a way from tet to tet grow, and the way ends.
+// The longest edge of a tet. Ties are broken by the vertices in the same way in all tets, so the
+// longest edges on a path from tet to tet grow, and the path ends.
 EdgeAt longest_edge(const Complex& complex, std::uint32_t t) {
     std::tuple<Real, std::uint32_t, std::uint32_t> best{-1, 0, 0};
     const auto& v = complex.tets[t].v;
@@ -79,7 +79,7 @@ EdgeAt longest_edge(const Complex& complex, std::uint32_t t) {
     return {t, std::get<1>(best), std::get<2>(best)};
 }
 
-// Bisects the tet, and before it those around its longest edge whose own is longer.
+// Bisects the tet; first, the tets around its longest edge that have a longer edge.
 void bisect(Complex& complex, Workspace& work, std::uint32_t t) {
     for (;;) {
         const EdgeAt edge = longest_edge(complex, t);

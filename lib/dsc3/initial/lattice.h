@@ -7,14 +7,14 @@
 
 namespace dsc3::initial {
 
-/// Cubes, or nearly so, of six tets each: four or more along the shortest side of the box.
+/// A lattice of near-cubes of six tets each: four or more along the shortest side of the box.
 [[nodiscard]] Complex lattice(const Box& domain);
 
-/// The longest edge that a tet may have, from the places of its vertices.
+/// The largest allowed edge length of a tet with vertices at these points.
 using LongestEdge = std::function<Real(const std::array<Point, 4>&)>;
 
-/// Bisects tets at their longest edges until none has an edge longer than it may. The vertices of
-/// the complex end up on the interface of no phase. O(tets).
+/// Bisects tets at their longest edges until no edge is longer than allowed. Clears the interface
+/// flags of all vertices. O(tets).
 void refine(Complex& complex, Workspace& work, const LongestEdge& longest);
 
 } // namespace dsc3::initial

@@ -28,7 +28,7 @@ Distance ellipsoid(const Point& centre, const Point& radii) {
 
 Distance torus(const Point& centre, const Point& axis, Real circle_radius, Real tube_radius) {
     if (!(axis.norm() > 0) || !axis.allFinite()) {
-        throw InputError({.what = "an axis without a direction",
+        throw InputError({.what = "the axis of a torus has no direction",
                           .where = "torus",
                           .value = to_text(axis),
                           .allowed = "a finite vector that is not 0"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes to begin with, by their distances.
+// Initial shapes, as signed distances.
 #pragma once
 
 #include "dsc3/initial/initial_complex.h"
@@ -10,12 +10,12 @@
 
 namespace dsc3 {
 
-/// A box with sides parallel to the axes. The first complex rounds its edges over an edge length,
-/// since it has no feature lines; so do all functions here for shapes with edges.
+/// A box with sides parallel to the axes. The first complex has no feature lines, so it rounds
+/// sharp edges, here and in all other shapes, over an edge length.
 [[nodiscard]] Distance box(const Box& box);
 
-/// An ellipsoid with axes parallel to those of space. The distance is exact to first order near the
-/// surface.
+/// An ellipsoid with axes parallel to the coordinate axes. The distance is exact to first order
+/// near the surface.
 [[nodiscard]] Distance ellipsoid(const Point& centre, const Point& radii);
 
 /// A torus: a tube around a circle. Throws InputError for an axis of no length.
@@ -26,17 +26,16 @@ namespace dsc3 {
 struct TriangleSurface {
     std::vector<Point> points;
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< indices into `points`
-    std::string name = "surface";                        ///< what errors call it
+    std::string name = "surface";                        ///< used in error messages
 };
 
-/// The signed distance to a closed surface, which may have several parts; triangles may be oriented
-/// either way as long as each part can be oriented. A query is O(log n) in the mean. (J. A.
-/// Baerentzen and H. Aanaes, "Signed distance computation using the angle weighted pseudonormal",
-/// 2005.)
+/// The signed distance to a closed surface, which may have several parts. Triangles may be oriented
+/// either way, but each part must be orientable. A query is O(log n) on average. (J. A. Baerentzen
+/// and H. Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005.)
 ///
-/// \throw InputError, with the place, where an edge has not two triangles, two triangles cross each
-/// other, a coordinate is not finite, a part cannot be oriented, or nothing is enclosed. O(n log
-/// n).
+/// \throw InputError, with the place, if an edge does not have two triangles, two triangles cross
+/// each other, a coordinate is not finite, a part cannot be oriented, or no volume is enclosed. O(n
+/// log n).
 [[nodiscard]] Distance closed_surface(TriangleSurface surface);
 
 } // namespace dsc3

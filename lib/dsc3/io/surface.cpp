@@ -45,7 +45,7 @@ void write_ply(const Complex& complex, const std::string& path) {
 
 void write_stl(const Complex& complex, const std::string& path) {
     const std::vector<InterfaceFace> faces = interface_faces(complex);
-    std::string bytes(80, ' '); // a header that nobody reads
+    std::string bytes(80, ' '); // the header, which readers ignore
     append(bytes, static_cast<std::uint32_t>(faces.size()));
     const auto append_vector = [&](const Point& p) {
         for (int axis = 0; axis < 3; ++axis) {

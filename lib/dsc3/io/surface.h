@@ -9,11 +9,11 @@
 namespace dsc3 {
 
 /// Writes the faces of the interface, counter-clockwise as seen from the lower phase, as binary
-/// PLY. The file exists as a whole or not at all. Throws FileError. O(mesh).
+/// PLY. The write is atomic. Throws FileError. O(mesh).
 void write_ply(const Complex& complex, const std::string& path);
 
-/// The same as binary STL, which has single precision and no common vertices: for printers and
-/// programs that read nothing else.
+/// The same as binary STL, which has single precision and no shared vertices: for programs that
+/// read nothing else.
 void write_stl(const Complex& complex, const std::string& path);
 
 } // namespace dsc3

@@ -11,7 +11,7 @@ namespace dsc3 {
 
 namespace {
 
-// Cells of one kind, and the vertices that they use, numbered in the order of their ids.
+// Cells of one kind, and their vertices, numbered in the order of their ids.
 class Grid {
 public:
     Grid(const Complex& complex, std::uint32_t size, std::uint8_t type)

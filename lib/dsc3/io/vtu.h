@@ -8,8 +8,7 @@
 
 namespace dsc3 {
 
-/// Writes all tets with their phase and quality. The file exists as a whole or not at all. Throws
-/// FileError. O(mesh).
+/// Writes all tets with their phase and quality. The write is atomic. Throws FileError. O(mesh).
 void write_vtu(const Complex& complex, const std::string& path);
 
 /// Writes the faces of the interface, counter-clockwise as seen from the lower phase, with the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a new vertex of the interface belongs.
+// Positions of new interface vertices.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
@@ -9,14 +9,14 @@
 
 namespace dsc3 {
 
-/// The place of a new vertex on the interface edge from a to b.
+/// The position of a new vertex on the interface edge from a to b.
 using InsertionFunction =
     std::function<Point(const Complex& complex, Workspace& work, std::uint32_t a, std::uint32_t b)>;
 
 /// The middle of the edge's cubic in the curved triangles through the vertices and normals at both
 /// ends (A. Vlachos et al., "Curved PN triangles", 2001), at most a fifth of the edge's length from
-/// its middle. The middle itself if an end is on no sheet, or the normals face away from each
-/// other.
+/// its middle. Returns the middle of the edge if an end is not on a sheet, or if the normals point
+/// away from each other.
 [[nodiscard]] Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a,
                                   std::uint32_t b);
 

@@ -38,7 +38,8 @@ public:
         }
     }
 
-    // The velocity at the target in place of that of the fourth stage is a method of third order.
+    // Replacing the velocity of the fourth stage by that at the target gives a method of third
+    // order.
     Real adaptive() {
         rk4();
         std::swap(scratch_.sum, scratch_.slope); // `sum` is now the fourth stage

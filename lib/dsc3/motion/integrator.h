@@ -11,21 +11,22 @@
 
 namespace dsc3 {
 
-/// velocities[i] = v(positions[i], time). NaN or infinity: the vertex is held and counted.
+/// velocities[i] = v(positions[i], time). A vertex whose velocity is not finite stays and is
+/// counted.
 using Velocity =
     std::function<void(std::span<const Point> positions, Real time, std::span<Point> velocities)>;
 
 using dsc::Integrator;
 
-/// Arrays that an integrator needs; kept from step to step so that nothing is allocated.
+/// Scratch arrays of an integrator, reused to avoid allocation.
 struct IntegratorScratch {
-    std::vector<Point> first; ///< v(positions, time), as the caller leaves it
+    std::vector<Point> first; ///< v(positions, time), set by the caller
     std::vector<Point> stage; ///< positions of a stage
     std::vector<Point> slope; ///< velocities of a stage
     std::vector<Point> sum;   ///< of the weighted velocities
 };
 
-/// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
+/// targets[i] = positions[i] advected to time + dt. `scratch.first` must hold the velocities at
 /// (positions, time). Returns the largest finite estimate of the error of this step, a length; 0
 /// for all methods except `adaptive`. O(n).
 Real integrate(Integrator integrator, const Velocity& velocity, std::span<const Point> positions,

@@ -10,8 +10,8 @@ namespace dsc3 {
 
 namespace {
 
-// A star whose worst tet lies below the floor already may be made better by half as much again,
-// even if that does not reach the floor: such stars would be stuck otherwise.
+// A collapse in a star below the floor is also allowed if it raises the worst quality by this
+// factor; otherwise nothing could improve such stars.
 constexpr Real escape = 1.5;
 
 bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::uint32_t target,
@@ -29,8 +29,8 @@ bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::u
         if (!(square > 0)) {
             continue;
         }
-        // Barycentric coordinates of the place on the new face (t, x, y) below p; a little beside
-        // the face will do, since the next one is seen under another angle.
+        // Barycentric coordinates of the projection of p on the new face (t, x, y). The tolerance
+        // allows points slightly outside the face, because neighbouring faces are not coplanar.
         const Real of_t = (x - p).cross(y - p).dot(plane) / square;
         const Real of_x = (y - p).cross(t - p).dot(plane) / square;
         constexpr Real beside = -0.05;
@@ -116,7 +116,7 @@ Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vani
         return Verdict::on_interface;
     }
     if (on_interface && complex.is_boundary(target)) {
-        return Verdict::on_boundary; // the interface would come to lie on more of the boundary
+        return Verdict::on_boundary; // more of the domain boundary would be on the interface
     }
     gather(complex, vanishing.id, work.star);
     StarQuality& quality = work.quality;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edge collapse: a vertex vanishes into another one, which does not move.
+// Edge collapse: a vertex is merged into another one, which does not move.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
@@ -8,19 +8,19 @@
 
 namespace dsc3 {
 
-/// What a collapse must leave behind. It must raise the worst quality of the star as well, unless
-/// that is above `enough` then.
+/// Conditions after a collapse. It must also raise the worst quality of the star, unless the new
+/// worst quality is above `enough`.
 struct CollapseRules {
-    Real floor = 1e-3;  ///< the worst quality of the star afterwards lies above
-    Real enough = 0.25; ///< a worst quality that is good enough, whatever it was before
-    Real min_cos = 0.8; ///< of the angle by which a face of the interface turns
+    Real floor = 1e-3;  ///< lower bound of the worst quality afterwards
+    Real enough = 0.25; ///< no improvement is required above this quality
+    Real min_cos = 0.8; ///< cosine of the largest rotation of an interface face
     Real deviation = std::numeric_limits<Real>::infinity(); ///< see below
 };
 
-/// Whether `vanishing` may vanish into `target`. A vertex of the interface may along an edge of the
-/// interface that is a sheet at both ends, if the interface remains a manifold (the link condition:
-/// the ends have two neighbours in common), and if it lies no farther than `rules.deviation` from
-/// the interface without it. `work` then holds the collapse. O(degree).
+/// Whether `vanishing` may be merged into `target`. An interface vertex may be removed along an
+/// interface edge whose ends both lie on sheets, if the interface remains a manifold (the link
+/// condition: the ends have two common neighbours), and if the vertex lies within `rules.deviation`
+/// of the new interface. `work` then holds the collapse. O(degree).
 [[nodiscard]] Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vanishing,
                                           Vertex target, const CollapseRules& rules = {});
 

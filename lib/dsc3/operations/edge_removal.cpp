@@ -28,8 +28,8 @@ void append(Workspace& work, std::uint32_t a, std::uint32_t b,
 } // namespace
 
 // polygon_quality[i][j] is the best worst quality over the piece from vertex i to vertex j, and
-// polygon_apex[i][j] the third vertex of the triangle at its chord. Triangles that cannot beat the
-// floor are not looked at.
+// polygon_apex[i][j] the third vertex of the triangle at its chord. Triangles below the floor are
+// skipped.
 Real best_triangulation(const Complex& complex, Workspace& work, std::uint32_t a, std::uint32_t b,
                         std::span<const std::uint32_t> polygon, Real floor) {
     auto& best = work.polygon_quality;

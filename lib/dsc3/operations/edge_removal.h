@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Edge removal inside a phase: the tets around an edge are replaced by those over a triangulation
-// of its ring, the best of all. 3-2 and 4-4 flips are the cases of three and four tets. The
-// triangulation is that of G. T. Klincsek, "Minimal triangulations of polygonal domains" (1980);
-// J. R. Shewchuk, "Two discrete optimization algorithms for the topological improvement of
-// tetrahedral meshes" (2002). And its inverse for one face, the 2-3 flip.
+// Edge removal inside a phase: the tets around an edge are replaced by those over the best
+// triangulation of its link. 3-2 and 4-4 flips are the cases of three and four tets. The
+// triangulation is that of G. T. Klincsek, "Minimal triangulations of polygonal domains" (1980); J.
+// R. Shewchuk, "Two discrete optimization algorithms for the topological improvement of tetrahedral
+// meshes" (2002). The 2-3 flip of a face is the inverse of the 3-2 flip.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
@@ -22,15 +22,15 @@ Verdict edge_removal(Complex& complex, Workspace& work, const EdgeAt& edge, Real
 /// legal and raises the worst quality. O(1).
 Verdict face_flip(Complex& complex, Workspace& work, Corner corner);
 
-// --- for operations that fill a polygon of their own ---------------------------------------------
+// --- for other operations that fill a polygon ----------------------------------------------------
 
-/// The worst quality of the tets over the best triangulation of the polygon, of both sides towards
-/// a and b; not above `floor` if there is none that is better. `work` then holds the triangulation.
+/// The worst quality of the tets that join the best triangulation of the polygon to a and b;
+/// `floor` or less if none is better. `work` then holds the triangulation.
 [[nodiscard]] Real best_triangulation(const Complex& complex, Workspace& work, std::uint32_t a,
                                       std::uint32_t b, std::span<const std::uint32_t> polygon,
                                       Real floor);
 
-/// Appends the tets over the triangulation that `work` holds to those to be made.
+/// Appends the tets over the triangulation in `work` to the tets to be made.
 void append_triangulation(Workspace& work, std::uint32_t a, std::uint32_t b,
                           std::span<const std::uint32_t> polygon, Phase phase);
 

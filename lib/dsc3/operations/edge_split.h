@@ -6,14 +6,14 @@
 
 namespace dsc3 {
 
-/// Splits the edge at a place strictly between its ends; the new vertex is on the interface and on
-/// the domain boundary if the edge is. Returns the vertex; not valid, with nothing changed, if the
-/// edge has too many tets, or a tet would be inverted. O(tets around the edge).
+/// Splits the edge at a point strictly between its ends; the new vertex is on the interface or the
+/// domain boundary if the edge is. Returns the vertex; an invalid one, with nothing changed, if the
+/// edge has too many tets or a tet would be inverted. O(tets around the edge).
 [[nodiscard]] Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge,
                                 const Point& place);
 
-/// Moves a vertex to a place, or half, a quarter or an eighth of the way, as far as no tet of its
-/// star falls to `floor`. Returns whether it arrived. O(degree).
+/// Moves a vertex to a point, or a half, a quarter or an eighth of the way, so that all tets of its
+/// star stay above the quality `floor`. Returns whether it arrived. O(degree).
 bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place, Real floor);
 
 } // namespace dsc3

@@ -29,7 +29,7 @@ bool breaks_manifold(const Complex& complex, Workspace& work, std::uint32_t a, s
     return false;
 }
 
-// The tet (a, b, c, d) exists: the interface goes along its other two faces if it changes phase.
+// If the tet (a, b, c, d) exists, changing its phase moves the interface to its other two faces.
 Verdict take_other_side(Complex& complex, Workspace& work, std::uint32_t tet, std::uint32_t c,
                         std::uint32_t d, Phase phase) {
     for (std::uint32_t i = 0; i < 4; ++i) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Smoothing: a vertex inside a phase moves to where the worst tet of its star is better.
+// Smoothing: moves a vertex inside a phase to improve the worst tet of its star.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
 
 namespace dsc3 {
 
-/// Ascends the worst quality of the star by at most so many gradients, from where the vertex is or
-/// from the mean of its neighbours. A vertex for which nothing was found is not tried again until
-/// its star changes. O(degree).
+/// Increases the worst quality of the star by at most `iterations` steps of gradient ascent, from
+/// the vertex's position or from the mean of its neighbours. A vertex that could not be improved is
+/// not tried again until its star changes. O(degree).
 Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations = 6);
 
 } // namespace dsc3

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arrays that operations work in, so that nothing is allocated in a step; and what they did.
+// Scratch arrays of the operations, which avoid allocation in a step, and counts of the operations.
 #pragma once
 
 #include "dsc3/complex/rewire.h"
@@ -27,7 +27,7 @@ struct OperationCounts {
     OperationCounts& operator+=(const OperationCounts& other);
 };
 
-/// Edges with longer rings are not removed: the work grows with the cube of the length.
+/// Edges with more tets are not removed: the work grows with the cube of their number.
 inline constexpr std::uint32_t polygon_limit = 9;
 
 /// Of one thread.

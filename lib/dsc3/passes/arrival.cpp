@@ -12,18 +12,18 @@ namespace dsc3 {
 
 namespace {
 
-constexpr int patient_passes = 2; // then more effort, and lower thresholds
+constexpr int patient_passes = 2; // later passes use more effort and lower thresholds
 constexpr int unjam_after = 4;    // passes
-// Tets around a vertex that has not arrived are improved if they are below.
+// Tets around a vertex that has not arrived are improved if their quality is below this.
 constexpr Real blocking_quality = 0.35;
-// The thresholds of movement fall by this factor a pass, and no further than that.
+// The quality threshold of movement falls by this factor in each pass, down to this minimum.
 constexpr Real move_factor = 0.3;
 constexpr Real min_move = 1e-5;
-// Of jammed vertices. Lengths are in edge lengths.
+// Collapses of blocked vertices; the length is in edge lengths.
 constexpr Real unjam_length = 0.8;
 constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.3};
 
-// The tets in the way of those that have not arrived.
+// Lists the tets around vertices that have not arrived.
 void list_blocking(PassState& state) {
     for (const std::uint32_t v : state.pending) {
         gather(state.complex, v, state.work.star);

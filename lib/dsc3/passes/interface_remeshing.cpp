@@ -14,21 +14,22 @@ namespace dsc3 {
 namespace {
 
 constexpr int rounds = 4;
-constexpr int collapsing_rounds = 2; // what splits make is not collapsed again
-// A collapse leaves tets better than this, or it is not worth what it does to the mesh.
+constexpr int collapsing_rounds = 2; // new edges of splits are not collapsed again
+// Lower bound of the quality after a collapse.
 constexpr Real collapse_floor = 0.05;
 constexpr Real collapse_enough = 0.3;
-// A new vertex goes towards its place as long as its tets stay above.
+// A new vertex moves towards its position as long as the quality of its tets stays above this.
 constexpr Real insertion_quality = 0.02;
 
-// The face of the star after that to `face.x`, on the other side of this edge.
+// The other face of the star at the edge to `face.x`.
 const StarFace* across(const InterfaceStar& interface_star, const StarFace& face) {
     const auto at = std::find_if(interface_star.faces.begin(), interface_star.faces.end(),
                                  [&](const StarFace& other) { return other.y == face.x; });
     return at == interface_star.faces.end() || at->x == face.y ? nullptr : &*at;
 }
 
-// Sorts the edges at these vertices; each edge is looked at from its lower vertex.
+// Finds edges to be collapsed, split or flipped at these vertices; each edge is examined from its
+// lower vertex.
 void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
     state.too_short.clear();
     state.too_long.clear();
@@ -130,7 +131,7 @@ void flip(PassState& state) {
     }
 }
 
-// The vertices of the interface at the tets written since `first`, by ascending id.
+// Finds the interface vertices of the tets written since `first`, by ascending id.
 void find_around(PassState& state, std::size_t first) {
     auto& around = state.around;
     around.clear();

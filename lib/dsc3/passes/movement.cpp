@@ -9,9 +9,9 @@ namespace dsc3 {
 
 namespace {
 
-// A move may take this share of a tet's quality.
+// A move must keep this fraction of a tet's quality.
 constexpr Real kept_quality = 0.7;
-// After so many halvings a vertex stays, so that the roll-back ends.
+// After this number of halvings a vertex stays, so that the roll-back ends.
 constexpr std::uint32_t halvings = 4;
 
 class Movement {
@@ -48,7 +48,7 @@ private:
 
     void begin() {
         state_.grow();
-        if (++state_.pass == 0) { // stamps of old passes would be taken for new ones
+        if (++state_.pass == 0) { // the counter wrapped around: old stamps would look new
             state_.moving.assign(state_.moving.size(), {});
             state_.tet_stamps.assign(state_.tet_stamps.size(), 0);
             state_.pass = 1;
@@ -62,7 +62,7 @@ private:
         }
     }
 
-    // The tets that the moving vertices touch, from those listed on.
+    // Lists the tets of the moving vertices.
     void flood(std::size_t first) {
         for (std::size_t k = first; k < state_.near.size(); ++k) {
             for (const Corner corner : complex_.tets[state_.near[k]].n) {
@@ -75,10 +75,10 @@ private:
         }
     }
 
-    // Each layer follows the mean of what it touches of the layers before.
+    // Each layer follows the mean of its neighbours in the layers before.
     void find_layers() {
         const int layers = state_.options.layers;
-        std::size_t seen = 0; // tets whose vertices have been asked
+        std::size_t seen = 0; // tets whose vertices have been visited
         flood(0);
         for (int layer = 0; layer < layers; ++layer) {
             auto& followers = state_.listed;

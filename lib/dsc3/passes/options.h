@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Everything that an application chooses. Lengths are relative to `edge_length`, qualities are
-// those of geometry/tet.h.
+// Options of a simulation. Lengths are relative to `edge_length`; qualities are those of
+// geometry/tet.h.
 #pragma once
 
 #include "dsc3/motion/insertion.h"
@@ -12,27 +12,27 @@ namespace dsc3 {
 struct InterfaceThresholds {
     double longest = 1.4;   ///< longer edges are split
     double shortest = 0.45; ///< shorter edges are collapsed
-    /// ...if the vertex that vanishes lies no farther than this from the interface without it,
+    /// ...if the removed vertex lies within this distance of the new interface,
     double deviation = 0.02;
     double always = 0.15; ///< or the edge is shorter than this
 };
 
-/// All that an application chooses for a simulation.
+/// Options of a simulation.
 struct Options {
     Real edge_length = 0; ///< target length of interface edges, in units of the domain; positive
 
     InterfaceThresholds interface = {}; ///< of all interfaces
 
-    double quality = 0.25;     ///< tets below are improved, where something has changed
-    double move_quality = 0.1; ///< a move may not take a tet below, unless it was not better
+    double quality = 0.25;     ///< changed tets below this quality are improved
+    double move_quality = 0.1; ///< moves keep tets above this quality, if they were
     int layers = 3;            ///< of vertices beside the interface that move along with it
 
     Integrator integrator = Integrator::rk4; ///< how targets are found from velocities
-    double tolerance = 1e-4; ///< of `adaptive`: error of a sub-step, in edge lengths
+    double tolerance = 1e-4; ///< of `adaptive`: largest error of a sub-step, in edge lengths
     InsertionFunction insertion = curved_middle; ///< where new interface vertices go
 
-    double sub_step = 0.4;     ///< the farthest that a vertex moves at a time, in edge lengths
-    int max_sub_steps = 10000; ///< of one step; then the step gives up and reports it
+    double sub_step = 0.4;     ///< largest displacement in a sub-step, in edge lengths
+    int max_sub_steps = 10000; ///< of one step; a step that needs more gives up and reports it
     int max_passes = 10;       ///< of movement and mesh repair, of one sub-step
 };
 

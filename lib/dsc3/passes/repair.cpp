@@ -15,14 +15,15 @@ namespace dsc3 {
 
 namespace {
 
-// An edge removal must be worth its work.
+// An edge removal must raise the quality by this factor.
 constexpr Real removal_gain = 1.02;
-// An edge shorter than this, in edge lengths, is collapsed wherever it is in the order of lengths.
+// An edge shorter than this, in edge lengths, is collapsed even if it is not the shortest of its
+// tet.
 constexpr Real short_edge = 0.6;
-// A split must be worth the vertex.
+// A split must raise the quality by this factor.
 constexpr Real split_gain = 1.05;
-// So many times as many tets are treated as were unfit at first, at most: a bound for what never
-// ends.
+// The number of treated tets is at most this factor times the number of initially unfit ones, so
+// that the repair ends.
 constexpr std::size_t bound_factor = 6;
 constexpr std::size_t min_bound = 100;
 
@@ -57,7 +58,7 @@ private:
     };
     using Edges = std::array<EdgeOfTet, 6>;
 
-    // Whether something was done that changed tets.
+    // Returns whether tets were changed.
     bool improve(std::uint32_t t) {
         const TetRecord tet = complex_.tets[t];
         for (const std::uint32_t v : tet.v) {
@@ -121,8 +122,8 @@ private:
         });
     }
 
-    // One of the longest edges, if the new vertex can be smoothed to where that helps. Tries that
-    // are taken back cost more than all else, so there are few.
+    // Splits one of the longest edges, if smoothing the new vertex makes it worth it. Failed
+    // attempts, which are undone, are the most expensive part, so there are few.
     bool split(std::uint32_t t, const Edges& edges) {
         if (quality_of(complex_, t) >= (more_ ? 1.0 : 0.7) * quality_) {
             return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the passes of a step share: which vertices are on their way, where to, and which tets are to
-// be improved.
+// The state shared by the passes of a step: pending vertices, their targets, and tets to be
+// improved.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
@@ -11,19 +11,19 @@
 
 namespace dsc3 {
 
-/// An edge of the interface that a look at the interface has found wanting.
+/// An interface edge that is a candidate of remeshing.
 struct WantingEdge {
     Real square; ///< of its length
     std::uint32_t a;
     std::uint32_t b;
 };
 
-/// What movement knows of a vertex: one line of the cache.
+/// The state of a vertex in movement: one cache line.
 struct alignas(64) MovingVertex {
     std::uint32_t stamp = 0;   ///< of the pass in which it moves
-    std::uint32_t changed = 0; ///< the round of roll-back in which it was last moved back
-    std::uint32_t wanted = 0;  ///< the round in which it was last found to be in the way
-    float fraction = 0;        ///< of its way that it goes
+    std::uint32_t changed = 0; ///< the last round of roll-back in which its displacement was halved
+    std::uint32_t wanted = 0;  ///< the last round in which one of its tets was bad
+    float fraction = 0;        ///< of its displacement
     Point way = Point::Zero(); ///< from its origin to its target
     Point origin = Point::Zero();
 };
@@ -36,9 +36,9 @@ struct PassState {
 
     std::vector<std::uint32_t> interface = {}; ///< its vertices, by ascending id
     std::vector<std::uint32_t> pending = {};   ///< vertices that have not arrived
-    std::vector<Point> targets = {};           ///< by vertex, of those that are on their way
+    std::vector<Point> targets = {};           ///< by vertex, for pending ones
     std::vector<std::uint32_t> unfit = {};     ///< tets to be improved
-    std::uint64_t unjammed = 0;                ///< interface collapses that let vertices arrive
+    std::uint64_t unjammed = 0;                ///< interface collapses of blocked vertices
 
     // Scratch of interface remeshing.
     std::vector<WantingEdge> too_short = {};
@@ -56,9 +56,9 @@ struct PassState {
 
     /// Makes the arrays by id as long as the complex.
     void grow();
-    /// Drops from `interface` what has left it, and adds what has come. O(interface).
+    /// Removes vertices from `interface` that have left it, and adds new ones. O(interface).
     void update_interface();
-    /// Finds the interface anew. O(mesh).
+    /// Finds the interface from scratch. O(mesh).
     void find_interface();
     /// Adds the tets that were written since the last call, if they are below the quality.
     void collect_unfit(Real quality);

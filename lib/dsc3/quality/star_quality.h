@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The quality of all tets of a star, for any place of its centre. The faces opposite to the centre
-// are gathered once, as planes and sums of their vertices; a place then costs some ten operations a
-// tet, on all lanes at once.
+// The quality of all tets of a star, for any position of its centre. The faces opposite to the
+// centre are gathered once, as planes and sums of their vertices; each position then costs about
+// ten operations per tet, on all lanes at once.
 #pragma once
 
 #include "dsc3/complex/star.h"
@@ -10,11 +10,11 @@
 
 namespace dsc3 {
 
-/// The faces of a star, relative to where its centre was when they were gathered.
+/// The faces of a star, relative to the position of its centre when they were gathered.
 class StarQuality {
 public:
-    /// Those of a star. `without`: tets that have this vertex come last, so that `worst` of the
-    /// first `others()` leaves them out. O(degree).
+    /// Gathers the faces of a star. Tets with the vertex `without` come last, so that `worst` of
+    /// the first `others()` tets leaves them out. O(degree).
     void gather(const Complex& complex, const Star& star, std::uint32_t without = no_id);
     /// Number of tets.
     [[nodiscard]] std::uint32_t size() const { return size_; }
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::uint32_t worst_tet(std::uint32_t count) const;
     /// The gradient of the quality of a tet at p.
     [[nodiscard]] Point gradient(std::uint32_t tet, const Point& p) const;
-    /// The mean of the vertices of the faces, each counted once a face.
+    /// The mean of the vertices of the faces, each counted once per face.
     [[nodiscard]] Point mean() const;
     /// The root mean square of the edges of the first tet.
     [[nodiscard]] Real length() const;

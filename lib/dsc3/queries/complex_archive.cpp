@@ -8,8 +8,8 @@ namespace dsc3 {
 
 namespace {
 
-// Records without padding, as they lie in memory: Eigen's points may be copied so, though the
-// compiler does not know.
+// Copies records without padding as they are in memory. This is safe for Eigen's points, although
+// the compiler cannot know it.
 template <class Record>
 void transfer_records(dsc::Archive& archive, std::vector<Record>& list) {
     const std::uint64_t count = archive.length(list.size(), sizeof(Record));
@@ -21,13 +21,13 @@ void transfer_records(dsc::Archive& archive, std::vector<Record>& list) {
     }
 }
 
-// Each dead id once: `validate` counts them only.
+// Checks that each dead id is listed once: `validate` only counts them.
 template <class IsDead>
 void expect_free(const dsc::Archive& archive, std::vector<std::uint32_t> ids, IsDead is_dead) {
     std::sort(ids.begin(), ids.end());
     archive.expect(std::adjacent_find(ids.begin(), ids.end()) == ids.end() &&
                        std::all_of(ids.begin(), ids.end(), is_dead),
-                   "has a free id that is not free");
+                   "lists an id as free that is in use, or lists it twice");
 }
 
 void transfer(dsc::Archive& archive, Complex& complex) {

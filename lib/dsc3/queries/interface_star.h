@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface around a vertex: the faces of its star between tets of different phases, which tell
-// all that there is to know of its stratum.
+// The interface around a vertex: the faces of its star between tets of different phases. They
+// determine its stratum.
 #pragma once
 
 #include "dsc3/complex/star.h"

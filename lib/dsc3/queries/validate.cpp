@@ -54,10 +54,11 @@ private:
 
     bool check_border() {
         if (complex_.tets.empty() || complex_.phases.size() != complex_.tets.size()) {
-            return fail("there is no border, or not one phase for each tet");
+            return fail(
+                "tet 0, the border, is missing, or the number of phases differs from that of tets");
         }
         return complex_.phases[border_tet] == border_phase ||
-               fail("the border has not the border's phase");
+               fail("tet 0, the border, does not have the border's phase");
     }
 
     bool check_vertices() {
@@ -72,7 +73,7 @@ private:
             }
             const std::uint32_t t = tet_of(vertex.corner);
             if (!complex_.is_alive(Tet{t}) || complex_.vertex(vertex.corner) != v) {
-                return fail("vertex", v, "its corner is another vertex's");
+                return fail("vertex", v, "its corner belongs to another vertex");
             }
         }
         return true;
@@ -113,14 +114,14 @@ private:
             }
             ++report_.faces;
             if (!complex_.is_alive(Tet{tet_of(other)}) || complex_.twin(other) != corner) {
-                return fail("tet", t, "its neighbour does not know it");
+                return fail("tet", t, "its neighbour does not link back to it");
             }
             auto one = complex_.face(corner);
             auto two = complex_.face(other);
             std::sort(one.begin(), one.end());
             std::sort(two.begin(), two.end());
             if (one != two) {
-                return fail("tet", t, "its neighbour has another face");
+                return fail("tet", t, "its neighbour does not have the same face");
             }
         }
         return true;
@@ -129,7 +130,7 @@ private:
     bool check_free_ids() {
         report_.faces /= 2;
         if (complex_.vertex_count() != report_.vertices || complex_.tet_count() != report_.tets) {
-            return fail("the free ids are not those that are not in use");
+            return fail("the list of free ids differs from the ids that are not in use");
         }
         return true;
     }
@@ -150,14 +151,14 @@ private:
         for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
             constexpr std::uint32_t both = vertex_boundary | vertex_interface;
             if (complex_.is_alive(Vertex{v}) && (complex_.vertices[v].flags & both) != flags[v]) {
-                return fail("vertex", v, "is not marked as what it is");
+                return fail("vertex", v, "has wrong interface or boundary flags");
             }
         }
         return true;
     }
 
-    // The tets that a walk from the vertex's corner meets are all that it has, and their faces on
-    // the far side are a sphere, or a disc whose rim is on the boundary.
+    // A walk from the vertex's corner must reach all its tets, and its link must be a sphere, or a
+    // disc whose rim is on the domain boundary.
     bool check_stars() {
         std::vector<std::uint32_t> tets(complex_.vertex_bound(), 0);
         for_tets([&](std::uint32_t t) {
@@ -174,7 +175,7 @@ private:
             }
             gather(complex_, v, star_);
             if (star_.corners.size() != tets[v]) {
-                return fail("vertex", v, "its tets do not hang together");
+                return fail("vertex", v, "its star is not connected");
             }
             edges.clear();
             vertices.clear();
@@ -192,7 +193,7 @@ private:
             const std::int64_t euler = distinct - static_cast<std::int64_t>(count_distinct(edges)) +
                                        static_cast<std::int64_t>(star_.corners.size());
             if (euler != (complex_.is_boundary(Vertex{v}) ? 1 : 2)) {
-                return fail("vertex", v, "its link is no sphere and no disc");
+                return fail("vertex", v, "its link is neither a sphere nor a disc");
             }
         }
         report_.edges = edge_ends_ / 2;
@@ -202,14 +203,14 @@ private:
         return true;
     }
 
-    // All of the boundary lies on the sides of its box, and the volume is that of the box: a
-    // complex that covers the box once.
+    // The whole boundary must lie on the sides of its bounding box, and the volume must be that of
+    // the box: then the complex covers the box once.
     bool check_domain() {
         if (report_.tets == 0) {
             return true;
         }
         if (report_.euler_characteristic != 1) {
-            return fail("the domain is no ball");
+            return fail("the domain is not a topological ball");
         }
         Point low = Point::Constant(std::numeric_limits<Real>::max());
         Point high = -low;
@@ -236,14 +237,14 @@ private:
                     }
                 }
                 if (!is_on_side) {
-                    return fail("tet", t, "a face of the boundary lies on no side of the box");
+                    return fail("tet", t, "a boundary face does not lie on a side of the domain");
                 }
             }
             return true;
         });
         const Real box = (high - low).prod();
         return is_on_sides && (std::abs(sum - box) < 1e-6 * box ||
-                               fail("the volume of the tets is not that of the box"));
+                               fail("the volume of the tets differs from that of the domain"));
     }
 
     void measure_surfaces() {

@@ -5,7 +5,7 @@ namespace dsc {
 
 namespace {
 
-// Looks up velocities, each from where the last search ended.
+// Interpolates velocities; each search starts where the last one ended.
 class Reader {
 public:
     Reader(const FluidPast& past, std::uint32_t near)
@@ -38,7 +38,8 @@ private:
     std::uint32_t two_;
 };
 
-// Where a particle with about the velocity `guess` was `duration` ago: the midpoint rule.
+// The position, `duration` ago, of a particle with about the velocity `guess`, by the midpoint
+// rule.
 Point<double> foot(Reader& reader, const Point<double>& at, double time, double duration,
                    const Point<double>& guess) {
     const Point<double> half = at - duration / 2 * guess;

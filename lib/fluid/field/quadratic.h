@@ -50,8 +50,8 @@ inline constexpr std::array<QuadraturePoint, 3> points_of_degree_2{{
     {{0.5, 0.5, 0.0}, 1.0 / 3},
 }};
 
-/// Exact for degree 5, J. Radon (1948): the products of two shape functions, and velocities that
-/// are looked up in other meshes.
+/// Exact for degree 5, J. Radon (1948): the products of two shape functions, and velocities
+/// interpolated in other meshes.
 inline constexpr std::array<QuadraturePoint, 7> points_of_degree_5 = [] {
     constexpr double root = 3.872983346207417; // of 15
     std::array<QuadraturePoint, 7> points{{{{1.0 / 3, 1.0 / 3, 1.0 / 3}, 9.0 / 40}}};

@@ -7,8 +7,8 @@ namespace dsc {
 
 namespace {
 
-// A point counts as inside down to this coordinate: rounding must not send a search to and fro
-// between two triangles, and a velocity is continuous.
+// A point counts as inside down to this coordinate, so that rounding cannot make a search alternate
+// between two triangles. The velocity is continuous, so either triangle is right.
 constexpr double inside = -1e-12;
 
 inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle& t,
@@ -23,7 +23,7 @@ inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle&
     return {first, second, 1 - first - second};
 }
 
-// For walks that circle: a walk is certain to end in a Delaunay triangulation only.
+// For walks that do not end: only in a Delaunay triangulation every walk ends.
 Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     Spot best;
     double most = -std::numeric_limits<double>::infinity();
@@ -37,7 +37,7 @@ Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     return best;
 }
 
-// Every number that is looked up names something.
+// Checks that all indices are in range.
 bool has_valid_numbers(const FluidField& field) {
     const MeshSnapshot& mesh = field.mesh;
     const auto is_node = [&](std::uint32_t node) { return node < mesh.nodes.size(); };
@@ -127,7 +127,8 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
     for (std::size_t steps = 0; steps < mesh.triangles.size(); ++steps) {
         const SnapshotTriangle& triangle = mesh.triangles[t];
         const Barycentric at = coordinates(mesh, triangle, point);
-        // Across the edge that it lies farthest behind; an edge of the domain only by rounding.
+        // Cross the edge beyond which the point lies farthest; it lies beyond the domain boundary
+        // only by rounding.
         std::uint32_t towards = no_id;
         double least = inside;
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -152,7 +153,7 @@ void archive(Archive& archive, FluidField& field) {
     archive.records(mesh.interface);
     archive.records(field.pressure);
     if (archive.is_reading()) {
-        archive.expect(has_valid_numbers(field), "holds a flow without its mesh");
+        archive.expect(has_valid_numbers(field), "contains a flow that does not match its mesh");
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Velocity and pressure in a copy of the mesh that they were found in: later steps look them up
-// there, so that nothing has to be carried through the edits of the mesh.
+// Velocity and pressure with a copy of their mesh: later steps interpolate there, so no values have
+// to be transferred through the edits of the mesh.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -14,8 +14,9 @@ namespace dsc {
 struct SnapshotTriangle {
     /// The vertices, counter-clockwise, then the midpoints of the edges opposite to them.
     std::array<std::uint32_t, 6> nodes;
-    std::array<std::uint32_t, 3> across; ///< triangles beyond these edges; no_id: outside
-    Phase phase;                         ///< of the fluid
+    std::array<std::uint32_t, 3>
+        across;  ///< triangles across these edges; no_id: outside the domain
+    Phase phase; ///< of the fluid
 };
 
 /// An edge between two phases.
@@ -23,7 +24,7 @@ struct SnapshotEdge {
     std::uint32_t from;   ///< a vertex
     std::uint32_t to;     ///< the other end
     std::uint32_t middle; ///< the node between them
-    Phase left;           ///< of the triangle on the left of the way
+    Phase left;           ///< of the triangle on the left, looking from `from` to `to`
     Phase right;          ///< of the triangle on the right
 };
 
@@ -38,14 +39,15 @@ struct MeshSnapshot {
     std::vector<std::uint32_t> triangle_at;  ///< by vertex id: one of its triangles, or no_id
 };
 
-/// O(n).
+/// A copy of the complex. O(n).
 [[nodiscard]] MeshSnapshot freeze(const Complex<double>& complex);
 
 /// The area of a triangle. O(1).
 [[nodiscard]] double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle);
 
-/// Where a search may begin: at the triangle of a vertex that had this id in the mesh, else at the
-/// first one. Which triangle is found, and with it the last bits, depends on nothing else.
+/// The start of a search: the triangle of the vertex with this id in the mesh, if there was one,
+/// else the first triangle. The triangle found, and with it the last bits, depends on the point and
+/// this start only.
 [[nodiscard]] std::uint32_t start_at(const MeshSnapshot& mesh, std::uint32_t vertex);
 
 /// A point of a mesh.
@@ -54,8 +56,8 @@ struct Spot {
     Barycentric at{};           ///< its coordinates there
 };
 
-/// The spot of a point, which is first moved into the domain. It begins at the triangle `start`.
-/// O(triangles on the way).
+/// The spot of a point, which is first moved into the domain. The search begins at the triangle
+/// `start`. O(triangles on the way).
 [[nodiscard]] Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t start);
 
 /// A solution at one time. Reading is thread-safe.
@@ -65,12 +67,12 @@ struct FluidField {
     /// By node; linear along each interface edge, quadratic elsewhere.
     std::vector<Point<double>> velocity = {};
     /// By triangle, at its vertices: linear, continuous in each phase, with a jump where phases
-    /// meet. Its mean over the domain is 0, unless a void is there, in which it is 0 itself.
-    /// Stress: force per length.
+    /// meet. Its mean over the domain is 0; with a void, the pressure in the void is 0. Force per
+    /// length.
     std::vector<std::array<double, 3>> pressure = {};
 };
 
-/// Throws FileError for numbers that name nothing. O(n).
+/// Throws FileError if an index is out of range. O(n).
 void archive(Archive& archive, FluidField& field);
 
 /// The velocity at a spot of the field's mesh. O(1).

@@ -9,8 +9,7 @@ namespace {
 
 bool can_slide(const InterfaceView<double>& view, std::size_t i) { return view.flags[i] == 0; }
 
-// The curve from a vertex to the one after it; one of the two can slide, so that it has two
-// neighbours.
+// The curve from a vertex to the next one; one of the two can slide, so it has two neighbours.
 CurveNeighbours<double> curve_between(const InterfaceView<double>& view,
                                       std::span<const Point<double>> targets, std::uint32_t from,
                                       std::uint32_t to) {
@@ -28,7 +27,7 @@ CurveNeighbours<double> curve_between(const InterfaceView<double>& view,
     return curve;
 }
 
-// Towards the longer of its two edges.
+// The target of a vertex after it slides towards the longer of its two edges.
 Point<double> slid(const InterfaceView<double>& view, std::span<const Point<double>> targets,
                    std::uint32_t i) {
     const std::uint32_t previous = view.previous[i];

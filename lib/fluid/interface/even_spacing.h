@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spreads the vertices of an interface: the flow crowds them in one place and draws them apart in
-// another, splits halve edges, and a polygon of unequal edges is not at rest where an equal one is.
+// Spaces the vertices of an interface evenly. The flow makes edges unequal, and so do splits, and a
+// polygon of unequal edges is not at rest where one of equal edges is.
 #pragma once
 
 #include "dsc/dsc.h"
@@ -8,9 +8,9 @@
 namespace dsc {
 
 /// Slides targets along the cubic through their curve (`curve_point`), each by a quarter of the
-/// difference between its two edges: what differs from one edge to the next is gone after a call,
-/// and differences over n edges after about n^2 of them. Junctions, corners, locked vertices and
-/// those on the domain boundary stay. The curve is kept to the fourth order in its edges.
+/// difference between its two edges. Differences between neighbouring edges vanish after one call,
+/// and differences over n edges after about n^2 calls. Junctions, features, locked vertices and
+/// those on the domain boundary stay. The curve changes to fourth order in its edges only.
 /// O(interface).
 void space_evenly(const InterfaceView<double>& view, std::span<Point<double>> targets);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int nowhere = -1;
 
-// The place of a phase in the list, or `nowhere`: the exterior one, and the outside of the domain.
+// The index of a phase in the list; `nowhere` for the exterior phase and the outside of the domain.
 int place_of(const std::vector<PhaseArea>& areas, Phase phase) {
     const auto found = std::ranges::lower_bound(areas, phase, {}, &PhaseArea::phase);
     return found == areas.end() || found->phase != phase ? nowhere
@@ -43,7 +43,7 @@ void for_each_edge(const InterfaceView<double>& view, Visit visit) {
     }
 }
 
-// What each phase lacks, in area.
+// The missing area of each phase.
 Eigen::VectorXd lacks_of(const InterfaceView<double>& view, const std::vector<PhaseArea>& wanted,
                          std::span<const Point<double>> targets) {
     Eigen::VectorXd lacks(static_cast<Eigen::Index>(wanted.size()));
@@ -64,15 +64,15 @@ Eigen::VectorXd lacks_of(const InterfaceView<double>& view, const std::vector<Ph
     return lacks;
 }
 
-// Half of the chord between the neighbours, turned to the right of the curve: by how much the area
-// on the left grows with the position of the vertex.
+// The gradient of the area on the left with respect to the position of the vertex: half of the
+// chord between its neighbours, rotated to the right.
 Point<double> area_slope(const InterfaceView<double>& view, std::span<const Point<double>> targets,
                          std::size_t i) {
     const Point<double> chord = targets[view.next[i]] - targets[view.previous[i]];
     return Point<double>(chord.y(), -chord.x()) / 2;
 }
 
-// The distance of each phase: how far its curves move outwards.
+// For each phase, the distance by which its curves move outwards.
 Eigen::VectorXd distances_for(const InterfaceView<double>& view,
                               const std::vector<PhaseArea>& wanted,
                               std::span<const Point<double>> targets,
@@ -97,8 +97,8 @@ Eigen::VectorXd distances_for(const InterfaceView<double>& view,
             entries.emplace_back(std::max(left, right), std::min(left, right), -length);
         }
     }
-    // Phases that meet only each other could all move alike, and some have nothing that can move:
-    // this share of the length makes the distances unique.
+    // If some phases meet only each other, a common distance changes nothing, and some phases have
+    // no vertex that can move: this multiple of the length makes the distances unique.
     for (int i = 0; i < n; ++i) {
         entries.emplace_back(i, i, 1e-12 * whole + std::numeric_limits<double>::min());
     }
@@ -126,7 +126,8 @@ std::vector<PhaseArea> phase_areas(const MeshSnapshot& mesh) {
 void hold_areas(const InterfaceView<double>& view, const std::vector<PhaseArea>& wanted,
                 std::span<Point<double>> targets) {
     std::vector<Point<double>> moves(view.size());
-    for (int pass = 0; pass < 2; ++pass) { // Newton's method: the second one leaves the third power
+    for (int pass = 0; pass < 2;
+         ++pass) { // Newton's method: after two passes the error is of third order
         const Eigen::VectorXd distances =
             distances_for(view, wanted, targets, lacks_of(view, wanted, targets));
         const auto distance = [&](Phase phase) {

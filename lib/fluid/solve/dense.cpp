@@ -13,8 +13,8 @@ namespace {
 
 using Four = std::array<double, 4>;
 
-// Up to four neighbouring columns of L, eliminated together. In place of those that are missing
-// stands the last one, which is then multiplied by 0.
+// Up to four neighbouring columns of L, eliminated together. Missing columns are replaced by the
+// last one with a weight of 0.
 struct Columns {
     std::array<const double*, 4> at;
     std::size_t count;
@@ -79,7 +79,7 @@ void subtract_products(double* target, std::size_t stride, std::size_t width, st
     }
 }
 
-// The sum of all products, in eight sums on any processor.
+// The dot product, as eight partial sums on any processor.
 double product(const double* a, const double* b, std::size_t n) {
     std::array<double, 8> sums{};
     std::size_t i = 0;
@@ -95,7 +95,8 @@ double product(const double* a, const double* b, std::size_t n) {
            ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
-// Eliminates neighbouring columns, in these columns alone; `first` is on the diagonal.
+// Eliminates neighbouring columns one by one, changing only these columns; `first` is on the
+// diagonal.
 bool eliminate_each(double* first, std::size_t height, std::size_t count, std::size_t rows,
                     double* pivots) {
     bool is_good = true;
@@ -118,7 +119,7 @@ bool eliminate_each(double* first, std::size_t height, std::size_t count, std::s
     return is_good;
 }
 
-// The same for four columns: their first four rows, and then all others, which are read once.
+// The same for four columns: first their first four rows, then all others, which are read once.
 bool eliminate_four(double* first, std::size_t height, std::size_t rows, double* pivots) {
     const bool is_good = eliminate_each(first, height, 4, 4, pivots);
     double* __restrict a = first;

@@ -23,8 +23,8 @@ public:
     }
 
     void run(std::uint32_t threads) {
-        // Parts of this depth with all that they consist of; those above them by whoever ends the
-        // second half.
+        // Each task eliminates a part of this depth with all its sub-parts; a part above them is
+        // eliminated by the thread that finishes its second half.
         std::uint32_t depth = 0;
         while (threads > 1 && 1U << depth < 4 * threads) {
             ++depth;
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    using Places = std::vector<std::uint32_t>; // of unknowns in a part that is not cut any further
+    using Places = std::vector<std::uint32_t>; // of unknowns in a leaf of the dissection
 
     void run_all(std::size_t p, Places& places) {
         for (const std::uint32_t half : dissection_.parts[p].halves) {
@@ -81,7 +81,8 @@ private:
         own.lower.assign(own.height() * own.count, 0);
         const std::size_t border = own.border.size();
         own.left = std::make_unique_for_overwrite<double[]>(border * border);
-        for (std::size_t j = 0; j < border; ++j) { // from just above the diagonal: that is read
+        for (std::size_t j = 0; j < border;
+             ++j) { // from just above the diagonal, which is read too
             const std::size_t first = j - std::min<std::size_t>(j, 1);
             std::fill_n(own.left.get() + j * border + first, border - first, 0.0);
         }
@@ -111,7 +112,7 @@ private:
                        b.end(), std::back_inserter(border));
         return border;
     }
-    // Sets the places of the unknowns as well.
+    // Also sets the places of the unknowns.
     [[nodiscard]] std::vector<std::uint32_t>
     border_of_triangles(const MeshPart& part, const PartFactors& own, Places& places) const {
         places.resize(static_cast<std::size_t>(system_.size));
@@ -122,7 +123,7 @@ private:
         std::vector<std::uint32_t> border;
         for_each_unknown(part, [&](std::uint32_t unknown) {
             if (places[unknown] == no_id) {
-                places[unknown] = 0; // for now: it is known
+                places[unknown] = 0; // for now: marks it as known
                 border.push_back(unknown);
             }
         });
@@ -151,7 +152,7 @@ private:
     }
     void add(const FluidElement& element, PartFactors& own, const Places& places) const {
         std::array<std::pair<std::size_t, Eigen::Index>, 15>
-            rows; // their places, and in the element
+            rows; // places in the part, and in the element
         std::size_t n = 0;
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
             if (unknown != no_unknown) {
@@ -172,7 +173,7 @@ private:
             }
         }
     }
-    // Unknowns of a half that follow each other in the part as well.
+    // Consecutive unknowns of a half that are also consecutive in the part.
     struct Run {
         std::size_t from;  // in the half's border
         std::size_t place; // in the part

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// One binary for every x86-64, with wide vectors where the machine has them.
+// One binary for all x86-64 processors, with wide vectors on those that have them.
 #pragma once
 
-#include <cstddef> // tells whether this is glibc
+#include <cstddef> // defines __GLIBC__ with glibc
 
-/// Before a function: it is compiled for each set of instructions, with all that it calls in its
-/// file, and the loader takes the widest that the machine can run. No version contracts a product
-/// and a sum (-ffp-contract=off), hence all give the same bits. The choice is made by a resolver,
-/// which other C libraries than glibc do not call and sanitizers do not work with.
+/// Put before a function, it compiles the function and the functions that it calls in its file for
+/// each instruction set; the loader chooses the widest that the machine can run. No version
+/// contracts a product and a sum (-ffp-contract=off), so all give bitwise identical results. The
+/// choice needs a resolver, which C libraries other than glibc do not call and sanitizers do not
+/// support.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define DSC_EACH_INSTRUCTION_SET                                                                   \

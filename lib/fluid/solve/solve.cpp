@@ -12,16 +12,16 @@ namespace {
 
 // A matrix with a positive definite block for the velocities and a negative definite one for the
 // pressures has a factorisation without pivoting in any order (R. J. Vanderbei, "Symmetric
-// quasidefinite matrices", 1995). The second block is zero: this share of its natural size takes
-// its place, and refinement removes the error, by about as many digits a time. A solution takes a
-// tenth of the time of a factorisation, so that it goes on down to rounding: currents that are not
-// there are then no larger than that.
+// quasidefinite matrices", 1995). The second block is zero; it is replaced by this fraction of its
+// natural size, and iterative refinement removes the error, by about eight digits per iteration. A
+// solution takes a tenth of the time of a factorisation, so refinement continues down to rounding:
+// spurious currents then stay at rounding level.
 constexpr double pressure_mass = 1e-8;
-constexpr double largest_residual = 1e-9; // above it the solution is refused
-constexpr double rounding = 1e-15;        // below it nothing is gained any more
+constexpr double largest_residual = 1e-9; // a solution with a larger residual is refused
+constexpr double rounding = 1e-15;        // refinement stops below
 constexpr int max_refinements = 12;
 
-// Summed in order, so that it does not depend on how many lanes the processor has.
+// Summed in order, so that it does not depend on the vector width of the processor.
 double norm(const Eigen::VectorXd& vector) {
     return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }
@@ -39,7 +39,7 @@ Eigen::VectorXd forces_of(const FluidSystem& system) {
     return forces;
 }
 
-// What is left of the forces.
+// The residual: forces minus matrix times unknowns.
 Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& forces,
                             const Eigen::VectorXd& solution) {
     Eigen::VectorXd residual = forces;
@@ -49,7 +49,7 @@ Eigen::VectorXd residual_of(const FluidSystem& system, const Eigen::VectorXd& fo
             values[i++] = unknown == no_unknown ? 0 : solution[unknown];
         }
         Eigen::Matrix<double, 15, 1> products = Eigen::Matrix<double, 15, 1>::Zero();
-        for (Eigen::Index j = 0; j < 15; ++j) { // written out: Eigen's own would fuse additions
+        for (Eigen::Index j = 0; j < 15; ++j) { // written out: Eigen's product would fuse additions
             for (Eigen::Index i = 0; i < 15; ++i) {
                 products[i] += element.matrix(i, j) * values[j];
             }
@@ -84,7 +84,7 @@ Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
         residual = residual_of(system, forces, refined);
         const double before = report.residual;
         const double after = norm(residual) / size;
-        if (!(after < before)) { // rounding has the last word, or NaN: the one before is better
+        if (!(after < before)) { // no improvement, or NaN: keep the previous solution
             break;
         }
         solution = std::move(refined);

@@ -8,7 +8,7 @@
 namespace dsc {
 
 /// The solution by factorisation and refinement. Throws SolveError if the residual stays above 1e-9
-/// of the forces. The same bits for any number of threads. About O(n^1.5).
+/// of the forces. Bitwise identical for any number of threads. About O(n^1.5).
 [[nodiscard]] Eigen::VectorXd solve(const FluidSystem& system, const Dissection& dissection,
                                     const FluidNumbering& numbers, std::uint32_t threads,
                                     SolveReport& report);

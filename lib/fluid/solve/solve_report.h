@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the solution of a step cost, how good it is, and the error where there is none.
+// The cost and residual of the solution of a step, and the error thrown if there is none.
 #pragma once
 
 #include <stdexcept>
@@ -16,7 +16,7 @@ public:
 /// A solution of a linear system.
 struct SolveReport {
     int unknowns = 0;    ///< velocities and pressures
-    int refinements = 0; ///< solutions for a residual, after the first solution
+    int refinements = 0; ///< iterations of refinement after the first solution
     double residual = 0; ///< its norm relative to that of the forces
 };
 

@@ -23,8 +23,8 @@ Eigen::Matrix<double, 2, 3> slopes_of(const MeshSnapshot& mesh, const SnapshotTr
     return slopes;
 }
 
-// The sum over points of the products of two nodes' values there. Written out: Eigen fuses the
-// additions of its own where the processor can, and the result would depend on that.
+// The sum over quadrature points of the products of two nodes' values. Written out, because Eigen
+// would fuse additions on processors that can, and the result would depend on the processor.
 double sum_of_products(const Eigen::Matrix<double, 6, 3>& one,
                        const Eigen::Matrix<double, 6, 3>& other, Eigen::Index i, Eigen::Index j) {
     return one(i, 0) * other(j, 0) + one(i, 1) * other(j, 1) + one(i, 2) * other(j, 2);
@@ -88,8 +88,8 @@ void add_force(FluidElement& element, const QuadraturePoint& point, const Point<
     }
 }
 
-// The velocity in the middle of an edge between phases is the mean of its ends: half of its
-// equations go to each end.
+// The velocity in the middle of an edge between phases is the mean of those at its ends: half of
+// its equations is added to each end.
 void tie_middle(FluidElement& element, Eigen::Index i) {
     const Eigen::Index middle = 2 * (3 + i);
     for (const Eigen::Index end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
@@ -139,12 +139,12 @@ void number(FluidElement& element, const FluidNumbering& numbers, const Snapshot
     std::ranges::copy(pressures, element.unknowns.begin() + 12);
 }
 
-// The walls pull the end of an interface along, so that the tensions are in balance at the angle
-// that is asked for (T. Young, "An essay on the cohesion of fluids", 1805).
+// The walls pull at the end of an interface so that the tensions are in balance at the contact
+// angle (T. Young, "An essay on the cohesion of fluids", 1805).
 void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOptions& options) {
     constexpr double radians = std::numbers::pi / 180;
     std::vector<std::uint32_t> behind(mesh.vertex_bound,
-                                      no_id); // the triangle beyond a wall's edge
+                                      no_id); // the missing triangle across a wall's edge
     const auto for_each_boundary_edge = [&](auto visit) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             for (std::uint32_t i = 0; i < 3; ++i) {
@@ -183,7 +183,7 @@ void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const Flu
     const bool has_inertia = options.equations == FluidEquations::navier_stokes;
     const double rate = has_inertia ? backward_difference(past, time).now : 0;
     const Eigen::Matrix<double, 6, 6> products = mean_products();
-    // A wave of the size of the domain has this squared length, over (2 pi)^2 or so.
+    // About the squared size of the domain over (2 pi)^2: that of the longest wave.
     const double extent = (mesh.domain.high - mesh.domain.low).squaredNorm() / 10;
     system.size = numbers.size;
     system.elements.resize(mesh.triangles.size());

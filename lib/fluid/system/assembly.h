@@ -7,14 +7,14 @@
 
 namespace dsc {
 
-/// What a triangle contributes to the equations. Unknown 2 i + k is component k of the velocity at
-/// node i, unknown 12 + i the pressure at vertex i.
+/// The contribution of a triangle to the equations. Unknown 2 i + k is component k of the velocity
+/// at node i, unknown 12 + i the pressure at vertex i.
 struct FluidElement {
     std::array<int, 15> unknowns;         ///< their numbers, or `no_unknown`
     Eigen::Matrix<double, 15, 15> matrix; ///< symmetric
     Eigen::Matrix<double, 15, 1> forces;
-    /// About its share of the pivot of a pressure where the pressure varies least, over the whole
-    /// domain: a third of the area over viscosity and inertia.
+    /// About the triangle's contribution to the pivot of a pressure for a pressure wave as long as
+    /// the domain: a third of the area over viscosity and inertia.
     double pressure_scale;
 };
 
@@ -25,9 +25,9 @@ struct FluidSystem {
 };
 
 /// The equations at `time` in the mesh of that time. `past` may be empty for
-/// `FluidEquations::stokes`. The tension of an edge pulls at its ends, along the edge; beside that
-/// it resists what the velocity changes since the last step. Throws InputError if a phase or a pair
-/// that meets has no properties. Reuses the memory of the system before. The same bits for any
+/// `FluidEquations::stokes`. The tension of an edge pulls at its ends along the edge, and an
+/// implicit term resists the change of velocity since the last step. Throws InputError if a phase
+/// or a pair that meets has no properties. Reuses the memory of `system`. Bitwise identical for any
 /// number of threads. O(n).
 void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const FluidOptions& options,
               const FluidPast& past, double time, FluidSystem& system);

@@ -8,7 +8,7 @@ namespace dsc {
 
 namespace {
 
-constexpr std::size_t few = 8;    // triangles that are not cut any further
+constexpr std::size_t few = 8;    // triangles: a part of so few is not cut
 constexpr std::size_t many = 100; // triangles for which both axes are tried
 constexpr int passes = 3;         // over the triangles beside a cut
 
@@ -29,7 +29,7 @@ public:
 private:
     using Triangles = std::span<std::uint32_t>;
 
-    // Returns the part.
+    // Returns the index of the part.
     std::uint32_t cut(Triangles triangles, std::uint32_t depth) {
         MeshPart part{.first_triangle =
                           static_cast<std::uint32_t>(triangles.data() - result_.triangles.data()),
@@ -55,7 +55,7 @@ private:
                     inner = on_cut(triangles, half);
                 }
             }
-            // Along the cut, so that a part beside it has neighbours of this order on its border.
+            // In the order along the cut, so that neighbouring nodes have consecutive numbers.
             std::ranges::sort(inner, {}, [&](std::uint32_t node) {
                 return std::pair(mesh_.nodes[node][1 - axis], node);
             });
@@ -82,9 +82,9 @@ private:
         return high.x() - low.x() > high.y() - low.y() ? 0 : 1;
     }
 
-    // Orders the triangles so that about half of them lie before the others along the axis, and
-    // returns how many do. The order within the halves stays, so that it is the same by any
-    // standard library.
+    // Partitions the triangles at the median along the axis, and returns the size of the first
+    // half. The order within the halves is kept, so that it does not depend on the standard
+    // library.
     std::size_t divide(Triangles triangles, Eigen::Index axis) {
         std::vector<std::pair<double, std::uint32_t>> places; // no two are equal
         places.reserve(triangles.size());
@@ -97,7 +97,8 @@ private:
         for (const std::uint32_t t : triangles) {
             side_[t] = 2 * stamp_ + (std::pair(centres_[t][axis], t) < *median ? 0 : 1);
         }
-        // A triangle whose neighbours are mostly in the other half makes the cut longer.
+        // Straightens the cut: a triangle with most of its neighbours in the other half changes
+        // sides.
         for (int pass = 0; pass < passes; ++pass) {
             for (const std::uint32_t t : triangles) {
                 int beyond = 0;
@@ -150,7 +151,7 @@ private:
     }
 
     const MeshSnapshot& mesh_;
-    std::vector<Point<double>> centres_; // three times
+    std::vector<Point<double>> centres_; // of the triangles, times three
     std::vector<std::uint32_t> side_;    // by triangle: twice the last stamp, and 1 beyond the cut
     std::vector<std::uint32_t> in_half_; // by node: the last stamp
     std::vector<std::uint8_t> is_taken_; // by node

@@ -20,7 +20,7 @@ struct MeshPart {
     std::array<std::uint32_t, 2> halves{no_id, no_id}; ///< parts; `no_id`: not cut any further
 };
 
-/// A mesh cut in halves again and again.
+/// A mesh that is bisected recursively.
 struct Dissection {
     std::vector<MeshPart> parts = {}; ///< halves before the whole; the last one is the mesh
     std::vector<std::uint32_t> triangles = {}; ///< numbers of the mesh's triangles, part by part
@@ -29,7 +29,7 @@ struct Dissection {
 };
 
 /// Cuts at the median along the longer axis; parts with many triangles try both axes and keep the
-/// shorter cut. Then straightens the cut. The result depends on nothing but the mesh. O(n log n).
+/// shorter cut. Then straightens the cut. The result depends only on the mesh. O(n log n).
 [[nodiscard]] Dissection dissect(const MeshSnapshot& mesh);
 
 } // namespace dsc

@@ -19,8 +19,8 @@ std::array<bool, 2> held_by_boundary(const Point<double>& p, const Rectangle& do
     return {sticks || left || right, sticks || bottom || top};
 }
 
-// The corners at each vertex that are of one phase have one pressure: the first of them stands for
-// all, as 3 * triangle + corner.
+// All corners of one phase at a vertex share one pressure. It is identified by the first of them,
+// as 3 * triangle + corner.
 std::vector<std::array<std::uint32_t, 3>>
 leaders_of_pressures(const MeshSnapshot& mesh, std::vector<std::vector<std::uint32_t>>& at_vertex) {
     std::vector<std::array<std::uint32_t, 3>> leaders(mesh.triangles.size());

@@ -7,24 +7,25 @@
 
 namespace dsc {
 
-/// No unknown: a velocity that a wall or the interface fixes, the pressure in a void, or the one
-/// pressure that is 0 where there is no void.
+/// Marks values that are not unknowns: a velocity fixed by a wall or the interface, the pressure in
+/// a void, and without a void the one pressure that is set to 0.
 inline constexpr int no_unknown = -1;
 
-/// Which unknown is where. The velocity is linear along each edge between two phases: the middle
-/// has no unknowns of its own. The pressure of a vertex where phases meet has one unknown for each
-/// phase, so that the forces of the interface are met by jumps of the pressure exactly.
+/// The numbers of the unknowns. The velocity is linear along each edge between two phases: its
+/// middle has no unknowns. The pressure of a vertex where phases meet has one unknown for each
+/// phase, so that jumps of the pressure balance the forces of the interface exactly.
 struct FluidNumbering {
-    int size = 0;                                  ///< how many unknowns there are
-    std::vector<std::array<int, 2>> velocity;      ///< by node: x and y
-    std::vector<std::array<int, 3>> pressure;      ///< by triangle, at its vertices
-    std::vector<std::uint8_t> is_middle_of_phases; ///< by node: whether it follows two vertices
-    bool has_void = false;                         ///< whether pressures are more than differences
+    int size = 0;                             ///< how many unknowns there are
+    std::vector<std::array<int, 2>> velocity; ///< by node: x and y
+    std::vector<std::array<int, 3>> pressure; ///< by triangle, at its vertices
+    std::vector<std::uint8_t>
+        is_middle_of_phases; ///< by node: whether its velocity is the mean of two vertices
+    bool has_void = false;   ///< whether the pressure is determined, not only its differences
     /// By part of the dissection: the first unknown of its inner nodes; and `size` at the end.
     std::vector<std::uint32_t> first_of_part;
 };
 
-/// Numbers the unknowns in the order of elimination, those of a node after each other. O(n phases).
+/// Numbers the unknowns in the order of elimination; those of a node are consecutive. O(n phases).
 [[nodiscard]] FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
                                              const FluidOptions& options);
 

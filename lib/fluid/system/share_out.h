@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work in threads that begin and end with it: a step takes milliseconds, to start a thread a few
-// hundredths of one.
+// Parallel loops with threads that are started for each loop: a step takes milliseconds, and
+// starting a thread a few hundredths of a millisecond.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace dsc {
 
-/// Calls `work(i)` once for each i below `count`, in any order, in so many threads with the caller;
-/// in fewer if there are fewer chunks, or if no more can be started. Rethrows one of the exceptions
-/// that are thrown.
+/// Calls `work(i)` once for each i below `count`, in any order, on `threads` threads including the
+/// caller, or on fewer if there are fewer chunks or no more threads can be started. Rethrows one of
+/// the exceptions of `work`.
 template <class Work>
 void share_out(std::size_t count, std::uint32_t threads, const Work& work, std::size_t chunk = 64) {
     const auto run = [&](std::atomic<std::size_t>& next) {
@@ -48,7 +48,7 @@ void share_out(std::size_t count, std::uint32_t threads, const Work& work, std::
         for (std::size_t i = 1; i < std::min<std::size_t>(threads, chunks); ++i) {
             others.emplace_back(guarded);
         }
-    } catch (const std::system_error&) { // the others do its work
+    } catch (const std::system_error&) { // the threads already started do the work
     }
     guarded();
     others.clear(); // joins them

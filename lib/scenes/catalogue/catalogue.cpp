@@ -63,7 +63,8 @@ Setup scheduled(const Parameters& p, double duration, double default_dt) {
                 "at most 100000000 steps for a duration of " + to_text(duration));
         setup.steps = static_cast<int>(count);
         if (p.dt <= 0) {
-            setup.dt = duration / setup.steps; // a whole number of steps ends where the scene ends
+            setup.dt =
+                duration / setup.steps; // so that a whole number of steps ends with the scene
         }
     }
     return setup;

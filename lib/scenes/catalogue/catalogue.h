@@ -6,15 +6,15 @@
 
 namespace dsc::scenes {
 
-/// In the order of the thesis, then fluids.
+/// The scenes in the order of the thesis, then fluids.
 [[nodiscard]] const std::vector<Scene>& catalogue();
 
-/// Throws InputError, naming all scenes of the list, if there is none of that name.
+/// Throws InputError, which lists all scenes, if there is none of that name.
 [[nodiscard]] const Scene& find_scene(const std::string& name,
                                       const std::vector<Scene>& scenes = catalogue());
 
-/// Thresholds of the scenes for measuring speed: interface edges as long as those inside the
-/// phases. Scenes that judge a shape use shorter ones.
+/// Thresholds of the scenes for measuring speed: interface edges are as long as those inside the
+/// phases. Scenes that measure shapes use shorter ones.
 [[nodiscard]] InterfaceThresholds coarse_interface();
 
 } // namespace dsc::scenes

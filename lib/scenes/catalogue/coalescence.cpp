@@ -23,7 +23,7 @@ double elliptic_integral(double complement) {
     return pi / 2 / a;
 }
 
-// The m at which a function that falls with m has a value.
+// Solves for the m at which a function that decreases with m has the given value.
 template <class Function>
 double where_it_is(Function function, double value) {
     double low = 0;
@@ -45,11 +45,11 @@ Point<double> coalescing_outline(double m, double angle) {
 
 double coalescing_neck(double m) { return (1 - m) / std::sqrt(1 + m * m); }
 
-// The integral of (pi / 2) / (s sqrt(1 + s^2) K(s)) over s from m to 1. K has the modulus s, as the
-// conformal map says: its poles move by the mean of the reciprocal slope (D. Crowdy, "On a class of
-// geometry-driven free boundary problems", 2002). The integrand has an infinite slope at 1, which
-// the double exponential rule takes (H. Takahasi and M. Mori, "Double exponential formulas for
-// numerical integration", 1974): in log s, by its share of log m.
+// The integral of (pi / 2) / (s sqrt(1 + s^2) K(s)) over s from m to 1. K has the modulus s, which
+// follows from the conformal map: its poles move by the mean of the reciprocal slope (D. Crowdy,
+// "On a class of geometry-driven free boundary problems", 2002). The integrand has an infinite
+// slope at 1, which the double exponential rule can integrate (H. Takahasi and M. Mori, "Double
+// exponential formulas for numerical integration", 1974). The variable is log s / log m.
 double coalescing_time(double m) {
     constexpr int count = 56; // on either side
     constexpr double reach = 3.5;

@@ -15,7 +15,7 @@ namespace dsc::scenes {
 namespace {
 
 using std::numbers::pi;
-/// The farthest that a vertex goes in a step where the curvature is that of the radius below.
+/// The largest displacement of a vertex in a step, for the curvature of the radius below.
 constexpr double farthest_step = 0.25;
 
 Setup circle_to_half(const Parameters& p) {
@@ -31,7 +31,7 @@ Setup circle_to_half(const Parameters& p) {
     return setup;
 }
 
-// The area is exact at all times; the shape is only known where it ends, and where it begins.
+// The exact area is known at all times, the shape only at the start and at the end.
 Setup dumbbell_to_a_hundredth(const Parameters& p) {
     static const Dumbbell first;
     static const double first_area = dumbbell_area(first);
@@ -40,7 +40,7 @@ Setup dumbbell_to_a_hundredth(const Parameters& p) {
     setup.curvature = CurvatureMotion{};
     setup.exact = [](double time) {
         const double area = first_area - 2 * pi * time;
-        // The disc of the exact area, which the curve approaches.
+        // The curve approaches the disc of the exact area.
         ExactShape shape = exact_circle(first.centre, std::sqrt(area / pi));
         shape.area = area;
         shape.own_error = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The families of scenes, each in the file of its name, and the parts that several of them share.
+// The families of scenes, each in the file of its name, and shared parts.
 #pragma once
 
 #include "scenes/scene.h"
@@ -34,7 +34,7 @@ namespace dsc::scenes {
 [[nodiscard]] Scene rotation_scene(Scene about, double h, int steps,
                                    std::function<Outline(double h)> outline);
 
-/// A curve that a flow takes away and back: `steps` is the number of steps each way.
+/// A curve in a flow that turns back half-way: `steps` is the number of steps each way.
 [[nodiscard]] Scene there_and_back_scene(Scene about, double h, double dt, int steps,
                                          const Velocity& velocity, const ParametricCurve& curve,
                                          std::function<Outline(double h)> outline);

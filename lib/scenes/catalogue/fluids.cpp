@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fluids: benchmarks whose answers are exact or published, and drops and bubbles to look at. Each
-// is a table: what flows, between which walls, and from which shape.
+// Fluids: benchmarks with exact or published solutions, and demonstrations with drops and bubbles.
+// Each is a table of fluids, walls and the first shape.
 #include "scenes/catalogue/coalescence.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/catalogue/small_waves.h"
@@ -17,27 +17,27 @@ using std::numbers::pi;
 
 /// A scene of a fluid. All lengths are in units of the domain.
 struct Tank {
-    Scene about; ///< its name, description, section and what it changes of the defaults
+    Scene about; ///< its name, description, section and changed defaults
     double h = 0.04;
     double duration = 1;
     double dt = 0.01; ///< the time step
     Rectangle domain{};
     FluidOptions fluids{};
-    double longest = 0; ///< of edges, over h; 0: they grow without a limit
+    double longest = 0; ///< longest edge over h; 0: no limit
     std::function<void(double h, Setup& setup)> fill{};
     std::optional<SmallWave> wave{};
     std::function<double(double time)> neck{};
     /// Of the interface, over h; empty: 1.
     std::function<double(const Point<double>& place, double time)> edges{};
-    double shortest = 0;  ///< of these edges, over h
-    double tolerance = 0; ///< of the error of a step, in edges there, over h squared; 0: none
+    double shortest = 0;  ///< shortest of these edges over h
+    double tolerance = 0; ///< of the error of a step, in edge lengths, over h squared; 0: none
 };
 
 Scene scene_of(const Tank& tank) {
     Scene scene = tank.about;
     scene.defaults.h = tank.h;
     scene.defaults.dt = 0;
-    scene.defaults.interface.longest = 1.05; // as long as they are at the start
+    scene.defaults.interface.longest = 1.05; // the length at the start
     scene.defaults.grade = 1.3;
     scene.defaults.gives_back = scene.defaults.topology == Topology::change;
     scene.prepare = [tank](const Parameters& p) {
@@ -72,10 +72,10 @@ FluidOptions two_fluids(const FluidPhase& around, const FluidPhase& inside, doub
     return options;
 }
 
-/// How long edges are at the start, over h: any longer than h would be cut.
+/// Edge lengths at the start, over h: edges longer than h would be split.
 constexpr double slack = 0.999;
 
-/// The longest edge of a drop with a small wave, over those of a circle.
+/// The longest edge of a drop with a small wave, relative to the edges of a circle.
 constexpr double stretched = 1.03;
 
 Parameters merging() { return {.topology = Topology::change}; }
@@ -83,7 +83,7 @@ Parameters merging() { return {.topology = Topology::change}; }
 constexpr Walls all_slip{Wall::slip, Wall::slip, Wall::slip, Wall::slip};
 constexpr Walls slip_at_sides{.left = Wall::slip, .right = Wall::slip};
 
-// The closed curve around a centre at a distance that depends on the angle.
+// The closed curve around a centre whose radius is a function of the angle.
 template <class Distance>
 Outline around(const Point<double>& centre, int count, Distance reach) {
     Outline outline;
@@ -95,7 +95,7 @@ Outline around(const Point<double>& centre, int count, Distance reach) {
     return outline;
 }
 
-// By how much a regular polygon has to be larger than a disc of its area.
+// Ratio of the radius of a regular polygon to that of the disc of equal area.
 double of_disc_area(int count) {
     const double angle = 2 * pi / count;
     return std::sqrt(angle / std::sin(angle));
@@ -118,7 +118,7 @@ void add_disc(const Point<double>& centre, double radius, double h, Setup& setup
     setup.outlines.push_back(disc(centre, radius, h));
 }
 
-// Phase 1 below a surface over the width of the domain, at equal distances in x.
+// The surface of phase 1 over the width of the domain, with points at equal distances in x.
 template <class Height>
 void add_level(double h, const Height& height, Setup& setup) {
     const double left = setup.domain.low.x();
@@ -135,7 +135,7 @@ void add_level(double h, const Height& height, Setup& setup) {
 // --- benchmarks ----------------------------------------------------------------------------------
 
 Tank static_drop() {
-    return {.about = {"static-drop", "a drop at rest, which stays at rest", "fluid"},
+    return {.about = {"static-drop", "a drop that stays at rest", "fluid"},
             .duration = 0.05,
             .fluids = two_fluids({}, {}, 25, 0, {}),
             .fill = [](double h, Setup& setup) {
@@ -143,7 +143,7 @@ Tank static_drop() {
             }};
 }
 
-// n sigma / (2 (mu_i + mu_o) R) is its rate without walls, which slow it down: by 0.3 % here.
+// n sigma / (2 (mu_i + mu_o) R) is its rate without walls; here the walls slow it down by 0.3 %.
 Tank stokes_ellipse() {
     constexpr double stretch = 0.01;
     constexpr double rate = 0.25;
@@ -164,7 +164,7 @@ Tank stokes_ellipse() {
     return tank;
 }
 
-// As deep in viscosity as its crests are resolved: the layer at the interface is 0.14 thick.
+// The viscous layer at the interface is 0.14 thick, which the edges at its crests resolve.
 Tank oscillating_drop() {
     constexpr double first = 0.01;
     const FluidPhase outside{.density = 0.1, .viscosity = 0.0025};
@@ -207,9 +207,9 @@ Tank capillary_wave() {
 }
 
 // A quarter of the plane, with the symmetry of the exact solution. At the start the neck is the tip
-// of a notch, where the radius of curvature is about half the cube of its half-width r: edges of
-// 4 r^3 h there grow by 4 h of the distance from it. A polynomial in the square root of the time
-// follows the neck to 0.3 %, which is enough for sizes.
+// of a notch with a radius of curvature of about half the cube of its half-width r: edges there
+// have a length of 4 r^3 h, which grows by 4 h times the distance from the tip. A polynomial in the
+// square root of the time approximates the neck to 0.3 %, which is enough for sizes.
 Tank coalescing_cylinders() {
     constexpr double first_neck = 0.0743;
     constexpr double last_neck = 0.8955;
@@ -266,8 +266,9 @@ Tank rising_bubble() {
             }};
 }
 
-// The same authors' second case. The codes agree until its skirt breaks, at about time 2: here
-// where it is thinner than a fixed distance and thins on, and the drops that come off it stay.
+// The same authors' second case. The published codes agree until the skirt breaks at about time 2.
+// Here it breaks where it is thinner than a fixed distance and still thinning, and the drops that
+// come off remain.
 Tank rising_bubble_2() {
     Tank tank = rising_bubble();
     tank.about = {.name = "rising-bubble-2",
@@ -282,25 +283,26 @@ Tank rising_bubble_2() {
     return tank;
 }
 
-// --- to look at ----------------------------------------------------------------------------------
+// --- demonstrations ------------------------------------------------------------------------------
 
 // The example of the thesis (section 13) with real fluids.
 Tank falling_drop() {
-    return {.about = {"falling-drop", "a drop falls into a pool, which takes it", "13", merging()},
-            .h = 0.02,
-            .duration = 1.5,
-            .dt = 0.005,
-            .domain = {{0, 0}, {1, 1.2}},
-            .fluids = two_fluids({.density = 10, .viscosity = 0.1},
-                                 {.density = 1000, .viscosity = 5}, 20, 1, all_slip),
-            .longest = 5,
-            .fill = [](double h, Setup& setup) {
-                add_level(
-                    h, [](double) { return 0.5; }, setup);
-                Outline drop = disc({0.5, 0.8}, 0.15, h);
-                drop.push_back(drop.front());
-                setup.curves.push_back({.points = drop, .left = 1, .right = exterior_phase});
-            }};
+    return {
+        .about = {"falling-drop", "a drop falls into a pool and merges with it", "13", merging()},
+        .h = 0.02,
+        .duration = 1.5,
+        .dt = 0.005,
+        .domain = {{0, 0}, {1, 1.2}},
+        .fluids = two_fluids({.density = 10, .viscosity = 0.1}, {.density = 1000, .viscosity = 5},
+                             20, 1, all_slip),
+        .longest = 5,
+        .fill = [](double h, Setup& setup) {
+            add_level(
+                h, [](double) { return 0.5; }, setup);
+            Outline drop = disc({0.5, 0.8}, 0.15, h);
+            drop.push_back(drop.front());
+            setup.curves.push_back({.points = drop, .left = 1, .right = exterior_phase});
+        }};
 }
 
 Tank rayleigh_taylor() {
@@ -318,7 +320,7 @@ Tank rayleigh_taylor() {
             }};
 }
 
-// Thirty of five sizes, in rows that are shifted against each other.
+// Thirty bubbles of five sizes, in staggered rows.
 Tank bubbles() {
     return {.about = {"bubbles", "thirty bubbles rise and merge", "fluid", merging()},
             .h = 0.015,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Growth along the normal, and phases that merge and part on the way.
+// Growth along the normal, with phases that merge and split.
 #include "flows/eroded_dumbbell.h"
 #include "flows/two_discs.h"
 #include "scenes/catalogue/families.h"
@@ -12,9 +12,9 @@ namespace dsc::scenes {
 
 namespace {
 
-/// The farthest that the interface goes in a step, in edge lengths.
+/// The displacement of the interface in a step, in edge lengths.
 constexpr double step_in_edges = 0.3;
-/// How far the discs grow, and by how much they shrink after that.
+/// The distance by which the discs grow and then shrink.
 constexpr double distance = 0.1;
 
 Setup two_discs_there_and_back(const Parameters& p) {
@@ -36,9 +36,9 @@ Setup two_discs_there_and_back(const Parameters& p) {
     return setup;
 }
 
-/// The neck, which closes at a depth of 0.04, is still there half-way. Its sheets are parallel: all
-/// of it closes at once, too early by half the contact distance. At the end that is past, and the
-/// error is of second order again.
+/// Half-way the neck, which closes at a depth of 0.04, is still open. Its sheets are parallel, so
+/// all of it closes at once, too early by half the contact distance. At the end this error has
+/// vanished, and the error is of second order again.
 Setup dumbbell_to_two_lobes(const Parameters& p) {
     static constexpr double depth = 0.06;
     static constexpr double speed = -1;

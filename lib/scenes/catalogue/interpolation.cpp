@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A value at the vertices (thesis, section 9.5): what the interface sets is left behind inside as
-// it moves on, by linear interpolation where vertices are inserted.
+// A value at the vertices (thesis, section 9.5): the interface sets it and leaves it behind inside
+// as it moves on; inserted vertices get it by linear interpolation.
 //
-// The thesis lets the value rise linearly from the first radius on. The field then has a kink
-// there, across which linear interpolation is of first order only, whatever the mesh. With a
-// quadratic rise the slope is continuous, and the largest error is of second order.
+// The thesis lets the value rise linearly from the first radius on. The field then has a kink,
+// where linear interpolation is only of first order in any mesh. With a quadratic rise the slope is
+// continuous, and the largest error is of second order.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

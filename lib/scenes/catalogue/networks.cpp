@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Networks of curves that move by their curvature: three phases at a junction, junctions that
-// exchange their neighbours, grains that grow and vanish, foams that keep their areas.
+// exchange their neighbours (T1), grains that grow and vanish, foams with constant areas.
 #include "flows/exact.h"
 #include "flows/junction_solutions.h"
 #include "scenes/catalogue/families.h"
@@ -47,7 +47,7 @@ Setup disc_between_half_planes(const Parameters& p) {
                     {{centre + across, {1, centre.y()}}, above, below}};
     setup.measured = disc;
     setup.curvature = CurvatureMotion{.keeps = {disc, below}};
-    // In between the shape is not known; it starts as a disc and ends as the lens.
+    // The shape is a disc at the start and the lens at the end; in between it is unknown.
     setup.exact = [](double time) {
         return time > 0 ? lens_shape({.centre = centre, .area = pi * radius * radius})
                         : exact_circle(centre, radius);
@@ -62,7 +62,7 @@ Setup four_sectors(const Parameters& p) {
     static const Point<double> origin(0, 0);
     const double theta = p.angle * pi / 180;
     const double slope = std::tan(theta);
-    // Until the edge that opens is 12 edge lengths long.
+    // Ends when the opening edge is 12 edge lengths long.
     Setup setup = scheduled(p, std::pow(12 * p.h / opening_factor(theta), 2), 0.1 * p.h * p.h);
     setup.domain = {{-0.5, -0.6}, {0.5, 0.6}};
     const auto ray = [&](double x, double y, Phase on_its_left, Phase on_its_right) {
@@ -72,7 +72,7 @@ Setup four_sectors(const Parameters& p) {
     ray(-0.5, 0.5 * slope, left, above);
     ray(-0.5, -0.5 * slope, below, left);
     ray(0.5, -0.5 * slope, right, below);
-    setup.clamped = true; // far away the rays stay where they are
+    setup.clamped = true; // the outer ends of the rays stay
     setup.measured = right;
     setup.curvature = CurvatureMotion{};
     setup.exact = [theta, box = setup.domain](double time) {
@@ -86,7 +86,7 @@ Setup four_sectors(const Parameters& p) {
 /// Edges of the first network that are shorter than this, in edge lengths, are contracted.
 constexpr double shortest = 0.3;
 
-// The number that was asked for, or as many as have this diameter in edge lengths.
+// The number given, or the number of cells with this diameter in edge lengths.
 std::uint32_t count_of(const Parameters& p, double diameter) {
     return p.grains > 0 ? static_cast<std::uint32_t>(p.grains)
                         : static_cast<std::uint32_t>(
@@ -101,12 +101,12 @@ std::vector<dsc::Curve> network(const Parameters& p, std::uint32_t count, int ro
 Setup voronoi_grains(const Parameters& p) {
     static constexpr double diameter = 10;
     const std::uint32_t count = count_of(p, diameter);
-    // The mean area grows by about this much per time, so that about half of the grains are left.
+    // The mean area grows by about this much per unit of time; about half of the grains are left at
+    // the end.
     static constexpr double growth = 1;
     Setup setup = scheduled(p, 2.0 / count / growth, 0.2 * p.h * p.h);
-    // Sites that are not relaxed: the areas of such cells are spread nearly as widely as those of
-    // grains that have grown for long, so that the mean area is linear in time almost from the
-    // start.
+    // The sites are not relaxed: the areas of such cells vary nearly as much as those of grains
+    // that have grown for a long time, so the mean area is linear in time almost from the start.
     setup.curves = network(p, count, 0);
     setup.curvature = CurvatureMotion{};
     return setup;
@@ -118,7 +118,7 @@ Setup voronoi_foam(const Parameters& p) {
     Setup setup = scheduled(p, 1.0 / count, 0.2 * p.h * p.h);
     setup.curves = network(p, count, 1);
     CurvatureMotion motion;
-    for (Phase bubble = 1; bubble < count; ++bubble) { // the last one keeps what is left
+    for (Phase bubble = 1; bubble < count; ++bubble) { // the last one fills the rest
         motion.keeps.push_back(bubble);
     }
     setup.curvature = motion;
@@ -128,16 +128,17 @@ Setup voronoi_foam(const Parameters& p) {
 } // namespace
 
 std::vector<Scene> network_scenes() {
-    // Curvature flow smooths every corner at once: none is kept.
+    // Curvature flow smooths every feature at once: none is kept.
     const InterfaceThresholds smooth{.feature_degrees = 180};
     return {
         {.name = "three-phases",
-         .description = "a disc between two half-planes becomes a lens of angles of 120 degrees",
+         .description = "a disc between two half-planes becomes a lens with angles of 120 degrees",
          .section = "13",
          .defaults = {.h = 0.02, .dt = 0, .interface = smooth},
          .prepare = disc_between_half_planes},
         {.name = "t1",
-         .description = "four sectors come apart: an edge opens between two new junctions",
+         .description =
+             "a junction of four sectors splits: an edge opens between two new junctions",
          .section = "13",
          .defaults =
              {.h = 0.0125, .dt = 0, .angle = 40, .interface = smooth, .topology = Topology::change},

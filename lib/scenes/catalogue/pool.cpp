@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A drop falls into a pool and is absorbed: the thesis's own example of phases that merge (section
-// 13). The pool's surface is at rest, and the fall slows down towards it, so that the drop is
-// flattened; without merging, a film of air would stay under it for ever.
+// A drop falls into a pool and merges with it: the thesis's example of merging phases (section 13).
+// The pool's surface is at rest, and the flow slows down towards it, so the drop is flattened;
+// without merging, a film of air would stay under it.
 #include "flows/velocity.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
@@ -29,7 +29,7 @@ ExactShape drop_and_pool_at(double time) {
 }
 
 Setup drop_and_pool(const Parameters& p) {
-    Setup setup = scheduled(p, 0.35, 0.3 * p.h / fall.speed); // half of it
+    Setup setup = scheduled(p, 0.35, 0.3 * p.h / fall.speed); // half of the fall
     Outline drop = circle(first_centre, drop_radius, p.h);
     drop.push_back(drop.front());
     setup.curves = {{drop, 1, exterior_phase},

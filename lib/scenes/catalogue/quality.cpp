@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sizes of triangles that follow the interface (thesis, section 9.8; the test that section 11
-// misses is the one by distance).
+// Sizes of triangles that follow the interface (thesis, section 9.8; section 11 asks for the test
+// by distance).
 #include "flows/exact.h"
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/catalogue/families.h"
@@ -11,19 +11,19 @@ namespace dsc::scenes {
 
 namespace {
 
-// The circle of `scaling`, in a mesh that is fine in a band about it and coarse elsewhere.
+// The circle of `scaling` in a mesh that is fine in a band around the circle and coarse elsewhere.
 Setup grow_in_a_fine_band(const Parameters& p) {
-    constexpr double edges_to_interface = 5; // as many as there are from anywhere outside the band
+    constexpr double edges_to_interface = 5; // the same from any point outside the band
     Setup setup = scaling_scene({}, p.h).prepare(p);
     setup.sizes.by_distance = EdgesToInterface{p.h, edges_to_interface};
     return setup;
 }
 
-// The length of coarse edges over that of fine ones.
+// Ratio of coarse to fine edge lengths.
 constexpr double coarse_over_fine = 4;
 
 // The four combinations of fine and coarse triangles, inside and outside. The interface is fine
-// unless both are coarse; at the start it is fine, and remeshing brings it to its targets.
+// unless both are coarse; it starts fine, and remeshing adapts it to its targets.
 Setup grow_in_two_sizes(const Parameters& p) {
     const auto length = [&](Fineness fineness) {
         return fineness == Fineness::coarse ? coarse_over_fine * p.h : p.h;
@@ -38,8 +38,8 @@ Setup grow_in_two_sizes(const Parameters& p) {
     return setup;
 }
 
-// Long edges at the growing circle's left end, short ones at its right end, and beyond them as at
-// the nearer end, of triangles and of the interface.
+// Edges of triangles and of the interface are long at the left end of the growing circle and short
+// at its right end; beyond the ends they are as long as at the nearer end.
 Setup grow_across_sizes(const Parameters& p) {
     const auto length = [h = p.h](const Point<double>& place, double time) {
         const double radius = 0.1 + time;

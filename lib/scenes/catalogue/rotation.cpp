@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigid turns (thesis, section 9.3): corners must stay corners.
+// Rigid rotations (thesis, section 9.3): sharp features must stay sharp.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"

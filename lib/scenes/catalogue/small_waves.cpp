@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The Laplace transform in time turns the linearised equations into ordinary ones, with two
-// solutions in each fluid: one without vorticity, and one without pressure. Five conditions at the
-// interface give their amounts and the height.
+// The Laplace transform in time turns the linearised equations into ordinary differential equations
+// with two solutions in each fluid: one without vorticity, and one without pressure. Five
+// conditions at the interface determine their coefficients and the height.
 #include "scenes/catalogue/small_waves.h"
 
 #include <array>
@@ -16,12 +16,13 @@ namespace {
 
 using Amount = std::complex<double>;
 
-/// A solution in one fluid at the interface, without its sine or cosine along it.
+/// A solution in one fluid at the interface, without its factor of a sine or cosine along the
+/// interface.
 struct Trace {
     Amount normal_velocity;
     Amount tangential_velocity;
     Amount tangential_stress;
-    Amount pressure; ///< less the viscous normal stress
+    Amount pressure; ///< minus the viscous normal stress
 };
 
 /// Both solutions in a fluid.
@@ -33,7 +34,7 @@ struct Traces {
 /// Five equations: coefficients, then the right-hand side.
 using Equations = std::array<std::array<Amount, 6>, 5>;
 
-// The last unknown, by elimination with the largest pivots.
+// The last unknown, by Gaussian elimination with partial pivoting.
 Amount last_unknown(Equations rows) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         std::size_t pivot = i;
@@ -51,7 +52,7 @@ Amount last_unknown(Equations rows) {
     return rows[4][5] / rows[4][4];
 }
 
-// The transform of the height where the height's own pressure is `stiffness` times it.
+// The transform of the height, which causes a pressure of `stiffness` times the height.
 Amount height(const Traces& inside, const Traces& outside, Amount s, double stiffness,
               double first) {
     Equations rows{};
@@ -80,11 +81,11 @@ Amount height(const Traces& inside, const Traces& outside, Amount s, double stif
 // approximations" (2006).
 template <class Transform>
 double inverse(const Transform& transform, double time) {
-    // The contour passes poles up to about 0.4 of this over the time; rounding grows by
-    // exp(0.17 of it).
+    // The contour encloses poles up to about 0.4 * points / time; rounding errors grow by exp(0.17
+    // * points).
     constexpr int points = 96;
     double sum = 0;
-    for (int i = 0; i < points / 2; ++i) { // the other half is conjugate
+    for (int i = 0; i < points / 2; ++i) { // the other half is the complex conjugate
         const double angle = (2 * i + 1) * std::numbers::pi / points;
         const double turn = 0.6407 * angle;
         const double slope = 0.5017 / std::tan(turn) - 0.5017 * turn / std::pow(std::sin(turn), 2);
@@ -125,12 +126,12 @@ Amount growth_of_bessel_i(int n, Amount z) {
     return static_cast<double>(n) + z * ratio;
 }
 
-// z K_n'(z) / K_n(z), from the integral of exp(-z cosh x) cosh(n x) over x > 0: the trapezium rule
-// converges faster than any power of its step.
+// z K_n'(z) / K_n(z), from the integral of exp(-z cosh x) cosh(n x) over x > 0, for which the
+// trapezium rule converges faster than any power of its step.
 Amount growth_of_bessel_k(int n, Amount z) {
     constexpr double step = 0.05;
     constexpr double negligible = 40;
-    constexpr int most = 1000; // enough wherever the inverse gives the point any weight
+    constexpr int most = 1000; // enough at all points with a significant weight in the inverse
     Amount value = 0.5;
     Amount slope = 0.5;
     for (int i = 1; i < most; ++i) {

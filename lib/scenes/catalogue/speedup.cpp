@@ -31,7 +31,7 @@ std::vector<Scene> speedup_scenes() {
             {"speedup-scaling", "a circle grows in a mesh of about 28,000 triangles", "9.7"},
             0.00887),
         {.name = "speedup-four-circles",
-         .description = "four circles side by side go up, each within its own slab",
+         .description = "four circles side by side move up, each within its own slab",
          .section = "9.7",
          .defaults = {.h = 0.01, .dt = 0, .interface = coarse_interface()},
          .prepare = four_go_up},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The swirl (thesis, section 9.6, equation 11) and the single vortex that is common in the
-// literature: shapes are drawn out into filaments, and most come back.
+// literature: shapes are stretched to filaments, and most come back.
 #include "flows/exact.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
@@ -51,7 +51,7 @@ std::vector<Scene> swirl_scenes() {
         there_and_back_scene({"swirl", "a circle is swirled for `steps` steps, and back", "9.6"},
                              0.01, 0.01, 260, Swirl{}, circle_curve(centre(), disc_radius),
                              [](double h) { return circle(centre(), disc_radius, h); }),
-        // The disc's legs are drawn out until they are thinner than an edge: at the default end,
+        // The disc's legs are stretched until they are thinner than an edge: at the default end,
         // time 4, the mean width of the shape, 2 A / P, is 0.0067.
         {.name = "swirl-zalesak",
          .description = "Zalesak's slotted disc is swirled, one way",

@@ -26,8 +26,8 @@ Setup around(const Parameters& p) {
     return setup;
 }
 
-// The triangles inside move as one body. Those that there are at the start are good enough,
-// whatever their shape and size, so that none of them changes.
+// The triangles inside move as one body. Thresholds accept the first triangles whatever their shape
+// and size, so none of them changes.
 Setup around_with_its_inside(const Parameters& p) {
     Setup setup = around(p);
     setup.advected = {1};
@@ -40,12 +40,12 @@ Setup around_with_its_inside(const Parameters& p) {
 
 std::vector<Scene> translation_scenes() {
     return {{.name = "translation",
-             .description = "a circle goes right, down, and back at an angle",
+             .description = "a circle moves right, down, and back diagonally",
              .section = "9.1",
              .defaults = {.h = 0.051, .dt = 0},
              .prepare = around},
             {.name = "translation-phase",
-             .description = "the same with the circle's inside, whose triangles stay as they are",
+             .description = "the same with the circle's inside, whose triangles do not change",
              .section = "9.1",
              .defaults = {.h = 0.0525, .dt = 0},
              .prepare = around_with_its_inside}};

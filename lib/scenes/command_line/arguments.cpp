@@ -32,7 +32,7 @@ void check_files(const Arguments& arguments, const RunOrigin& origin,
     if (const std::filesystem::path folder(arguments.run.frames.folder); !folder.empty()) {
         others.push_back({"--frames", (folder / "").parent_path().string()});
     }
-    std::error_code error; // of a checkpoint that does not exist
+    std::error_code error; // ignored: the checkpoint may not exist
     if (arguments.resume &&
         !(arguments.checkpoint &&
           std::filesystem::equivalent(*arguments.resume, *arguments.checkpoint, error))) {
@@ -45,7 +45,7 @@ CheckpointPlan checkpoint_plan(const Arguments& arguments, const RunOrigin& orig
     CheckpointPlan plan{.path = arguments.checkpoint.value_or(""),
                         .every = arguments.every.value_or(0),
                         .origin = origin};
-    if (is_scene_file(origin.scene)) { // what it names is found from anywhere
+    if (is_scene_file(origin.scene)) { // absolute, so that it is found from any folder
         plan.origin.scene = std::filesystem::absolute(origin.scene).string();
     }
     return plan;
@@ -54,7 +54,7 @@ CheckpointPlan checkpoint_plan(const Arguments& arguments, const RunOrigin& orig
 void tell_interruption(const std::string& program, const Arguments& arguments, int steps) {
     std::cerr << program << ": interrupted after step " << steps;
     if (arguments.checkpoint) {
-        std::cerr << "; to go on: " << program << " run --resume " << *arguments.checkpoint;
+        std::cerr << "; continue with: " << program << " run --resume " << *arguments.checkpoint;
     }
     std::cerr << '\n';
 }
@@ -63,7 +63,8 @@ std::atomic<bool> interrupted{false};
 
 namespace {
 
-// A second signal ends the program at once; but a terminal that closes often sends two SIGHUP.
+// A second signal ends the program at once, except SIGHUP: a terminal that closes often sends it
+// twice.
 void on_interrupt(int number) {
     interrupted.store(true);
     if (number != SIGHUP) {
@@ -73,7 +74,7 @@ void on_interrupt(int number) {
 
 } // namespace
 
-// What is ignored, as under nohup, stays so.
+// Signals that are already ignored, as under nohup, stay ignored.
 void heed_signals() {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         if (std::signal(number, on_interrupt) == SIG_IGN) {

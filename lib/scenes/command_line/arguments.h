@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `dsc_scene run` was asked for, and the signals that end a run early.
+// The arguments of `dsc_scene run`, and the signals that end a run early.
 #pragma once
 
 #include "scenes/keys.h"
@@ -39,21 +39,22 @@ template <class AnyScene>
     return parameters;
 }
 
-/// No file that the run writes may be another that it writes or reads; but it may go on in its own
-/// checkpoint. `files` are those that the scene names. Throws InputError.
+/// Throws InputError if the run would write a file twice, or one that it reads; only the checkpoint
+/// may be the one that is resumed. `files` are those that the scene names.
 void check_files(const Arguments& arguments, const RunOrigin& origin,
                  const std::vector<std::string>& files);
 
-/// When checkpoints are written, and what they say of the run.
+/// The times of checkpoints and the description of the run in them.
 [[nodiscard]] CheckpointPlan checkpoint_plan(const Arguments& arguments, const RunOrigin& origin);
 
-/// After which step a run was interrupted, and how it goes on, on stderr.
+/// Prints to stderr after which step a run was interrupted, and how to continue it.
 void tell_interruption(const std::string& program, const Arguments& arguments, int steps);
 
-/// Set by SIGINT, SIGTERM and SIGHUP, once they are heeded.
+/// Set by SIGINT, SIGTERM and SIGHUP after `heed_signals`.
 extern std::atomic<bool> interrupted;
 
-/// From now on a signal sets the flag; a file that may not grow is an error like a full disk.
+/// Lets these signals set the flag, and turns a file size limit into a write error, like a full
+/// disk.
 void heed_signals();
 
 } // namespace dsc::scenes

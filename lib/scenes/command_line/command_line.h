@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the programs' command lines have in common: `list`, `run`, and exit codes with the same
-// meaning everywhere.
+// Common parts of the programs' command lines: `list`, `run`, and the exit codes.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -19,13 +18,13 @@
 
 namespace dsc::scenes {
 
-/// What the commands do, by their names.
+/// The functions of the commands, by name.
 using Commands = std::vector<std::pair<std::string, std::function<int()>>>;
 
-/// The result of `main`. `app` has these commands with their options, and parses them before one of
-/// them is called. Exit: what it returns; 0 after --help; 2 for bad usage and InputError, with a
-/// sentence on stderr that begins with the program's name; 1 for any other exception, and if
-/// standard output cannot be written.
+/// The result of `main`. `app` has these commands with their options and parses the arguments; then
+/// the chosen command is called. Exit code: that of the command; 0 after --help; 2 for bad usage
+/// and InputError, with a sentence on stderr that begins with the program's name; 1 for any other
+/// exception, and if standard output cannot be written.
 inline int call_command(CLI::App& app, const std::string& program, int argc,
                         const char* const* argv, const Commands& commands) {
     const auto complain = [&](const std::string& sentence, int code) {
@@ -53,7 +52,7 @@ inline int call_command(CLI::App& app, const std::string& program, int argc,
                 return with_output_written(program, call());
             }
         }
-        return 2; // CLI11 has seen to it that there is one
+        return 2; // not reached: CLI11 requires a command
     } catch (const InputError& error) {
         return complain(error.what(), 2);
     } catch (const std::exception& error) {

@@ -39,7 +39,7 @@ void list_scenes(const std::vector<AnyScene>& scenes) {
     }
 }
 
-// How many of each kind, if any.
+// Prints the number of events of each kind, if any.
 void print_events(const std::vector<Event>& events) {
     std::string_view before = "\n  events: ";
     for (const auto& [kind, name] : event_names) {
@@ -55,7 +55,7 @@ void print_summary(const RunResult& r) {
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
               << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
-    // The exact shape of a network is not known.
+    // NaN if the exact shape is unknown, as for networks.
     if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
     }
@@ -79,7 +79,7 @@ void print_summary(const RunResult& r) {
               << std::setprecision(4) << r.peak_memory_mb << " MB\n";
 }
 
-// The accepted values of the keys, and what each strategy is, one line each.
+// The allowed values of the keys and a description of each strategy, one line each.
 std::string details() {
     std::ostringstream text;
     text << "Keys of --set (each scene takes those that `list` shows):\n" << std::left;
@@ -93,8 +93,8 @@ std::string details() {
     return text.str();
 }
 
-// Who asks for threads and nothing else gets submeshes that follow the interface, as many as its
-// length pays for: on any number of threads, so that the result depends on none.
+// With --threads alone, the strategy is `cells`, and the number of cells follows from the length of
+// the interface: on any number of threads, so that the result does not depend on it.
 Strategy strategy_of(const Arguments& arguments) {
     if (arguments.strategy) {
         return parse_strategy(*arguments.strategy);
@@ -102,7 +102,7 @@ Strategy strategy_of(const Arguments& arguments) {
     return arguments.threads ? Strategy::cells : Strategy::sequential;
 }
 
-// A file that cannot be read is bad usage here: its name may be a scene's with an error in it.
+// A file that cannot be read is bad usage here: the name may be a misspelt scene.
 template <class Read>
 auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, Read read) {
     try {
@@ -127,7 +127,7 @@ std::string text_of_scene(const std::string& name, const std::vector<Scene>& sce
     return read_or_refuse(name, scenes, [&] { return read_text_file(name); });
 }
 
-// The scene that a command line or a checkpoint names, from the text that it has.
+// The scene of a command line or a checkpoint, from the stored text.
 SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
     if (!is_scene_file(origin.scene)) {
         return {.scene = find_scene(origin.scene, scenes)};
@@ -136,7 +136,7 @@ SceneFile scene_of(const RunOrigin& origin, const std::vector<Scene>& scenes) {
                           [&] { return read_scene_text(origin.text, origin.scene, scenes); });
 }
 
-// The same in three dimensions; nothing if it is a scene of the plane.
+// The same in three dimensions; empty for a scene in the plane.
 std::optional<space::SceneFile> scene_in_space(const RunOrigin& origin,
                                                const std::vector<Scene>& scenes) {
     if (!is_scene_file(origin.scene)) {
@@ -150,7 +150,7 @@ std::optional<space::SceneFile> scene_in_space(const RunOrigin& origin,
                           [&] { return space::read_scene_text(origin.text, origin.scene); });
 }
 
-// What the command line asks for.
+// The scene and settings of the command line.
 RunOrigin origin_of(const Arguments& arguments, const std::vector<Scene>& scenes) {
     return {.scene = *arguments.scene,
             .text = text_of_scene(*arguments.scene, scenes),
@@ -166,12 +166,12 @@ void check_usage(const Arguments& arguments) {
         throw InputError({.what = what, .where = where, .value = value, .allowed = allowed});
     };
     if (arguments.scene.has_value() == arguments.resume.has_value()) {
-        refuse("one scene or one checkpoint is run", "run", arguments.resume ? "both" : "neither",
-               "run SCENE, or run --resume FILE");
+        refuse("run needs either a scene or a checkpoint", "run",
+               arguments.resume ? "both" : "neither", "run SCENE, or run --resume FILE");
     }
     if (arguments.every && !arguments.series && !arguments.checkpoint &&
         arguments.run.frames.folder.empty()) {
-        refuse("nothing is written in between", "--every", "it alone",
+        refuse("--every has no effect here", "--every", "no file that is written every N steps",
                "with --series, --frames or --checkpoint");
     }
 }
@@ -224,7 +224,7 @@ int run(const std::string& program, const std::vector<Scene>& scenes, const Argu
     }
     if (result.held > 0) {
         std::cerr << program << ": " << result.held
-                  << " times a vertex was held, for its velocity was not finite\n";
+                  << " times a vertex stayed because its velocity was not finite\n";
     }
     if (result.interrupted) {
         tell_interruption(program, arguments, result.steps);
@@ -238,7 +238,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                   const char* const* argv) {
     CLI::App app{"Runs the scenes of a deformable simplicial complex and measures them."};
     app.require_subcommand(1);
-    app.add_subcommand("list", "all scenes and the keys they take");
+    app.add_subcommand("list", "all scenes and their keys");
     auto* run_command = app.add_subcommand("run", "run one scene");
     run_command->footer(details());
     Arguments arguments;
@@ -251,19 +251,21 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
     auto* strategy = run_command->add_option("--strategy", arguments.strategy,
                                              name_list(strategies(), &StrategyEntry::name) +
                                                  " (default sequential, or cells with --threads)");
-    auto* submeshes = run_command
-                          ->add_option("--submeshes", arguments.run.submeshing.submeshes,
-                                       "default: 8 slabs, 16 blocks, or as many cells as pay")
-                          ->check(CLI::Range(1, 65536));
+    auto* submeshes =
+        run_command
+            ->add_option("--submeshes", arguments.run.submeshing.submeshes,
+                         "default: 8 slabs, 16 blocks, or cells by the length of the interface")
+            ->check(CLI::Range(1, 65536));
     run_command
-        ->add_option("--threads", arguments.threads,
-                     "at most so many threads: fewer where more bring nothing (default 1)")
+        ->add_option(
+            "--threads", arguments.threads,
+            "largest number of threads (default 1); fewer are used when more would not be faster")
         ->check(CLI::Range(1, 1024));
     auto* frames =
         run_command
             ->add_option("--frames", arguments.run.frames.folder,
                          "folder for .vtu and .pvd files: about nine frames, unless --every "
-                         "or --at says which")
+                         "or --at chooses them")
             ->check([](const std::string& folder) {
                 return folder.empty() ? "got ''; allowed: a folder" : "";
             });
@@ -284,7 +286,7 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                                           "which replays to the same mesh");
     run_command->add_option("--json", arguments.json, "file for the result");
     run_command->add_option("--events", arguments.events,
-                            "file for the changes of topology, one JSON object a line");
+                            "file for the changes of topology, one JSON object per line");
     run_command->add_option(
         "--series", arguments.series,
         "file for the run over time: areas, errors, quality, operations, as CSV");
@@ -298,13 +300,13 @@ int scene_program(const std::string& program, const std::vector<Scene>& scenes, 
                             "interrupted");
     run_command
         ->add_option("--stop-after", arguments.run.stop_after,
-                     "break the run off after this step, as an interruption does")
+                     "stop the run after this step, as an interruption does")
         ->check(CLI::Range(1, 1000000000));
     run_command
         ->add_option("--resume", arguments.resume,
-                     "a checkpoint, in place of a scene: goes on to the same bits. It knows the "
+                     "a checkpoint, in place of a scene: continues bitwise identically. It has the "
                      "scene, its keys and the strategy; files that a scene file names are read "
-                     "again. What else is to be written has to be asked for again")
+                     "again. Other outputs must be given again")
         ->excludes(settings, strategy, submeshes, edits);
     auto* describe_command =
         app.add_subcommand("describe", "print one scene as a file that can be changed and run");

@@ -16,7 +16,7 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
     const space::Scene& scene = file.scene;
     if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
         arguments.edits || arguments.pictures) {
-        throw InputError({.what = "not for scenes in three dimensions",
+        throw InputError({.what = "not supported for scenes in three dimensions",
                           .where = "run " + scene.name,
                           .value = "another option",
                           .allowed = "--set, --json, --frames, --every, --at, --checkpoint, "

@@ -7,8 +7,8 @@
 
 namespace dsc::scenes {
 
-/// Runs the scene, prints and writes what was asked for, and returns the exit code. Throws
-/// InputError for options that are not for three dimensions.
+/// Runs the scene, prints and writes its results, and returns the exit code. Throws InputError for
+/// options that are not supported in three dimensions.
 int run_in_space(const std::string& program, const space::SceneFile& file,
                  const Arguments& arguments, const RunOrigin& origin,
                  const std::optional<Checkpoint>& checkpoint);

@@ -50,11 +50,11 @@ std::vector<double> numbers(const CaseReader& reader, const std::string& key, Bo
 std::vector<CaseSize> read_sizes(const CaseReader& reader) {
     std::vector<CaseSize> sizes;
     if (reader.has("triangles") && reader.has("h")) {
-        reader.refuse("h", "two kinds of sizes", "triangles, or h");
+        reader.refuse("h", "both h and triangles are given", "one of h and triangles");
     }
     if (reader.has("triangles")) {
         for (const int triangles : integers(reader, "triangles", 100, 20'000'000)) {
-            // As many equilateral triangles fill the unit square.
+            // The edge length of this number of equilateral triangles in the unit square.
             sizes.push_back({"triangles:" + std::to_string(triangles),
                              std::sqrt(4 / (std::sqrt(3.0) * triangles))});
         }
@@ -81,8 +81,8 @@ SceneFile read_scene(const CaseReader& reader, const std::string& name) {
             throw InputError({.what = error.what(),
                               .where = "scene",
                               .value = "'" + name + "'",
-                              .allowed = "a scene file whose path begins at the suite"});
-        } catch (const InputError& error) { // the place in the scene file says more
+                              .allowed = "a scene file, relative to the suite"});
+        } catch (const InputError& error) { // its place in the scene file is more precise
             throw InputError({.what = error.where() + ": " + error.problem(),
                               .where = "scene",
                               .value = error.value(),
@@ -99,7 +99,8 @@ void read_settings(const CaseReader& reader, const std::string& key, const Scene
     const TableReader table = reader.of(key).table(key);
     for (const std::string& name : table.keys()) {
         if (name == "h") {
-            table.refuse(name, "a size among settings", "h = [...] in the [[case]] itself");
+            table.refuse(name, "the edge length cannot be set here",
+                         "h = [...] in the [[case]] itself");
         }
         at_key(table, name,
                [&] { set_parameter(parameters, scene.keys, name, table.setting(name)); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A [[case]] of a suite, read key by key; what is wrong is said with file, line, key, value and
-// what is allowed. dsc_bench and dsc_verify read the same files: each takes its own keys, and
-// leaves those of the other alone.
+// A [[case]] of a suite, read key by key; errors name the file, line, key, value and what is
+// allowed. dsc_bench and dsc_verify read the same files: each reads its own keys and ignores those
+// of the other.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -13,13 +13,13 @@
 
 namespace dsc::scenes {
 
-/// The keys that dsc_verify alone reads, of the whole suite and of a case.
+/// The keys of a suite and of a case that only dsc_verify reads.
 [[nodiscard]] std::vector<std::string> keys_of_verify();
 [[nodiscard]] std::vector<std::string> case_keys_of_verify();
-/// Those of a case that dsc_bench alone reads.
+/// The keys of a case that only dsc_bench reads.
 [[nodiscard]] std::vector<std::string> case_keys_of_bench();
 
-/// A [[case]] and one of its `rows`, whose keys win over those of the case.
+/// A [[case]] and one of its `rows`, whose keys override those of the case.
 class CaseReader {
 public:
     CaseReader(const TableReader& whole, const TableReader* row) : whole_(&whole), row_(row) {}
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] bool has(const std::string& key) const {
         return whole_->has(key) || (row_ != nullptr && row_->has(key));
     }
-    /// The table in which the key stands, or that of the row where it stands in neither.
+    /// The table that has the key; the row's table if neither has it.
     [[nodiscard]] const TableReader& of(const std::string& key) const {
         const bool is_of_row = row_ != nullptr && (row_->has(key) || !whole_->has(key));
         return is_of_row ? *row_ : *whole_;
@@ -47,23 +47,23 @@ private:
     const TableReader* row_;
 };
 
-/// Lists; a single value stands for a list of one. Throws InputError for an empty one, too.
+/// Lists; a single value is a list of one. Throws InputError also for an empty list.
 [[nodiscard]] std::vector<std::string> texts(const CaseReader& reader, const std::string& key);
 [[nodiscard]] std::vector<int> integers(const CaseReader& reader, const std::string& key, int low,
                                         int high);
 [[nodiscard]] std::vector<double> numbers(const CaseReader& reader, const std::string& key,
                                           Bounds bounds);
 
-/// A size of a case: its name in rows, and the edge length; 0: the scene's own.
+/// A size of a case: its name in rows, and the edge length; 0: the scene's default.
 struct CaseSize {
     std::string name{};
     double h = 0;
 };
 
-/// What `h` or `triangles` list; one of the scene's own where neither is given.
+/// The sizes listed by `h` or `triangles`; the scene's default if neither is given.
 [[nodiscard]] std::vector<CaseSize> read_sizes(const CaseReader& reader);
 
-/// A scene of the catalogue, or that of a file whose path begins at the suite.
+/// A scene of the catalogue, or of a file whose path is relative to the suite.
 [[nodiscard]] SceneFile read_scene(const CaseReader& reader, const std::string& name);
 
 /// Sets the parameters that the table under `key` names, if there is one.

@@ -13,7 +13,7 @@ namespace {
 
 std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
 
-// Names, and what does not fit the integers of TOML.
+// Names, and integers too large for TOML.
 bool needs_quotes(const Setting& setting) {
     const auto* number = std::get_if<std::uint64_t>(&setting);
     return std::holds_alternative<std::string>(setting) ||
@@ -28,7 +28,7 @@ std::string options_in_toml(const Scene& scene, const Parameters& parameters) {
         }
         const Setting value = key.value(parameters);
         const std::string written = text_of(value);
-        // 0, of dt, steps and period: the scene's own choice, which has no text.
+        // dt, steps or period of 0 is the scene's own choice, which cannot be written.
         Parameters read;
         text +=
             key.parse(read, written)
@@ -46,7 +46,7 @@ std::string describe(const Scene& scene, const Parameters& parameters) {
     return "# The scene " + scene.name +
            " as a file: change what you like, and run it by `dsc_scene run FILE.toml`.\n# It has " +
            std::to_string(setup.steps) + " steps of " + to_text(setup.dt) +
-           ". A table of its own takes the place of the scene's: [domain], [[shape]] or\n"
+           ". A table that you add replaces that of the scene: [domain], [[shape]] or\n"
            "# [[curve]]; [flow], [curvature], [growth] or [fluid]; [sizes]; [exact].\n"
            "name = " +
            in_quotes(scene.name) + "\nscene = " + in_quotes(scene.name) + "\n\n" +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A scene of the catalogue as the text of a scene file that begins as this scene and names all of
-// its options, with what is allowed: to be changed, and to be added to. Numbers have the digits
-// that read back as the same bits, so the file runs to the same mesh.
+// A scene of the catalogue as the text of a scene file, to be changed and extended: it starts from
+// this scene and lists all options with their allowed values. Numbers have enough digits to be read
+// back exactly, so a run of the file gives the same mesh.
 #pragma once
 
 #include "scenes/scene.h"
@@ -10,7 +10,7 @@
 
 namespace dsc::scenes {
 
-/// With these values of the options.
+/// The text with these values of the options.
 [[nodiscard]] std::string describe(const Scene& scene, const Parameters& parameters);
 
 } // namespace dsc::scenes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What errors repeat of somebody's text, and how they list what is allowed.
+// Quotations of input in error messages, and lists of allowed values.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace dsc::scenes {
 
 inline constexpr std::size_t longest_excerpt = 60; ///< characters
 
-/// The beginning of the text on one line: an error is one sentence on one line, and must not do to
-/// a terminal what control characters can.
+/// The beginning of the text on one line without control characters, which could affect a terminal:
+/// an error is one sentence on one line.
 [[nodiscard]] inline std::string excerpt(std::string_view text) {
     std::string line(text.substr(0, longest_excerpt));
     std::ranges::replace_if(

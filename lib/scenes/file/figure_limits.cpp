@@ -17,7 +17,7 @@ constexpr std::string_view at_end = "_last";
 constexpr std::string_view at_half = "_half";
 const std::string kept_value = "attribute_error_last";
 
-// Counts and figures of the whole run, and the measures.
+// The counts and figures of a whole run, and the measures.
 std::vector<std::string> names_of_figures() {
     std::vector<std::string> names{"inverted",   "unreached",        "held",
                                    "area_ratio", "min_quality_ever", kept_value};
@@ -35,7 +35,7 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
     if (const auto bounds = reader.table_if_one(key)) {
         bounds->allow({"min", "max"});
         if (!bounds->has("min") && !bounds->has("max")) {
-            reader.refuse(key, "no limit", "min, max or both");
+            reader.refuse(key, "a limit without bounds", "min, max or both");
         }
         limit.least = bounds->number_or(limit.least, "min", any);
         limit.most = bounds->number_or(limit.most, "max", any);
@@ -43,7 +43,7 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
         limit.most = reader.number(key, any);
     }
     if (!(limit.least <= limit.most)) {
-        reader.refuse(key, "bad value", "min, which is at most max");
+        reader.refuse(key, "bad value", "min of at most max");
     }
     return limit;
 }
@@ -59,7 +59,7 @@ std::vector<FigureLimit> read_limits(const TableReader& reader,
     reader.allow(names);
     std::vector<FigureLimit> limits;
     for (const std::string& figure : reader.keys()) {
-        if (figure.starts_with("jaggedness")) { // has parts, of which this is the one to keep low
+        if (figure.starts_with("jaggedness")) { // has several parts; limits apply to this one
             const TableReader parts = reader.table(figure);
             const std::string excess = "largest_excess_deg";
             parts.allow({excess});
@@ -69,7 +69,7 @@ std::vector<FigureLimit> read_limits(const TableReader& reader,
         }
     }
     if (limits.empty()) {
-        throw InputError({.what = "no limit",
+        throw InputError({.what = "no limits",
                           .where = reader.where(),
                           .value = "an empty table",
                           .allowed = name_list(names)});
@@ -79,7 +79,7 @@ std::vector<FigureLimit> read_limits(const TableReader& reader,
 
 std::string why_missing(const std::string& figure, const Setup& setup, bool is_quick) {
     if (figure == kept_value) {
-        return setup.value ? "" : "the scene keeps no value at its vertices";
+        return setup.value ? "" : "the scene has no value at its vertices";
     }
     const std::string stem = figure.substr(0, figure.find('.'));
     const bool is_half = stem.ends_with(at_half);
@@ -93,7 +93,7 @@ std::string why_missing(const std::string& figure, const Setup& setup, bool is_q
         return "the exact shape is not known";
     }
     if (is_half && !setup.half_step) {
-        return "the scene has no moment half-way";
+        return "the flow of the scene does not turn back, so there is no half-way time";
     }
     const bool is_unknown = is_half && needs_shape && !is_quick &&
                             std::isnan(setup.exact(*setup.half_step * setup.dt).area);
@@ -107,7 +107,7 @@ void check_measured(const std::vector<FigureLimit>& limits, const Setup& setup) 
             throw InputError({.what = "the run does not measure the figure of this limit",
                               .where = limit.where,
                               .value = limit.figure + ": " + reason,
-                              .allowed = "limits of figures that the run has"});
+                              .allowed = "figures that the run measures"});
         }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the figures of a scene file have to keep to. `dsc_verify run FILE.toml` judges them.
+// The limits of figures in a scene file, which `dsc_verify run FILE.toml` checks.
 #pragma once
 
 #include "measures/measures.h"
@@ -12,7 +12,7 @@
 
 namespace dsc::scenes {
 
-/// What a figure of a result has to keep to; both bounds are allowed.
+/// The allowed range of a figure of a result, bounds included.
 struct FigureLimit {
     std::string figure; ///< its name in result files
     double least = -std::numeric_limits<double>::infinity();
@@ -20,7 +20,7 @@ struct FigureLimit {
     std::string where{}; ///< file, line and key
 };
 
-/// [limits]: at least one. Throws InputError for a name that no figure has, and for a bound that is
+/// Reads [limits], at least one. Throws InputError for an unknown figure, and for a bound that is
 /// not a finite number.
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader);
 
@@ -28,12 +28,12 @@ struct FigureLimit {
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader,
                                                    const std::vector<std::string>& names);
 
-/// Why a run of this setup has no number for the figure; empty if it has one. `is_quick`: without a
-/// look at whether the exact shape is known half-way, which may take a while.
+/// Why a run of this setup does not measure the figure; empty if it does. `is_quick`: do not check
+/// whether the exact shape is known half-way, which may take long.
 [[nodiscard]] std::string why_missing(const std::string& figure, const Setup& setup,
                                       bool is_quick = false);
 
-/// Throws InputError for a limit of a figure that the run has no number for.
+/// Throws InputError for a limit of a figure that the run does not measure.
 void check_measured(const std::vector<FigureLimit>& limits, const Setup& setup);
 
 } // namespace dsc::scenes

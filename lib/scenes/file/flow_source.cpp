@@ -45,7 +45,7 @@ FlowSource read_flow(const std::vector<TableReader>& legs) {
         } else {
             const double until = leg.number("until", any_time);
             if (!(until >= end)) {
-                leg.refuse("until", "times out of order", "after the flow before it");
+                leg.refuse("until", "times out of order", "a time after that of the flow before");
             }
             end = until;
         }

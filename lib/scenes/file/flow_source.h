@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The flow of a scene file. A [flow], or each [[flow]] where one follows the other, is
+// The flow of a scene file. A [flow], or each [[flow]] of a sequence, has
 //
 //     u, v  = "formula", "formula" in x, y, t, the [flow.parameters] and pi, h, period
 //     until = the time at which the next one takes over
@@ -13,10 +13,10 @@
 
 namespace dsc::scenes {
 
-/// The flow, for values of h and the period that may have been set since the file was read.
+/// Makes the flow for the final values of h and the period, which --set may have changed.
 using FlowSource = std::function<Flow(const Parameters& parameters)>;
 
-/// Throws InputError, for a formula with the character at which it breaks off.
+/// Throws InputError; for a formula, with the position of the error.
 [[nodiscard]] FlowSource read_flow(const std::vector<TableReader>& legs);
 
 } // namespace dsc::scenes

@@ -9,7 +9,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Of densities, viscosities and tensions; larger ones are wrong units.
+/// Bound of densities, viscosities and tensions: larger values mean wrong units.
 constexpr double largest_property = 1e12;
 constexpr Bounds property{0, largest_property};
 constexpr Bounds positive_property{1 / largest_property, largest_property};

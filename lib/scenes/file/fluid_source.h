@@ -12,9 +12,9 @@
 //     tensions = [{ one = 0, other = 1, tension = 24.5, contact-angle = 60 }]
 //     tolerance = 0.01
 //
-// Each phase of the scene needs its entry, and each pair that meets its tension. Where nothing is
-// said walls are no-slip, gravity is none, contact angles are 90 degrees, and a step is as long as
-// `dt`. A phase without fluid is { phase = 0, void = true }.
+// Each phase of the scene needs an entry, and each pair that meets a tension. The defaults are
+// no-slip walls, no gravity, contact angles of 90 degrees, and steps of `dt`. A phase without fluid
+// is { phase = 0, void = true }.
 #pragma once
 
 #include "fluid/options.h"

@@ -17,10 +17,10 @@ namespace dsc::scenes {
 namespace {
 
 constexpr double max_edges_of_side = 1e5;
-/// A gigabyte of them: a file from somebody else should not fill the memory by a wrong unit.
+/// About a gigabyte, so that a scene file with a wrong unit does not exhaust the memory.
 constexpr double max_triangles_of_file = 2e7;
 
-/// The tables of the file, read and checked, and what they make of parameters.
+/// The tables of the file, read and checked, from which a setup is made for given parameters.
 struct SceneParts {
     std::string where;
     std::optional<Scene> base{};
@@ -45,7 +45,7 @@ struct SceneParts {
     }
 };
 
-// With the time step and the number of steps that a file of its own gives.
+// A setup with the time step and the number of steps that the file gives.
 Setup scheduled_by(const SceneParts& parts, const Parameters& p) {
     if ((p.dt > 0) + (p.steps > 0) + (p.period > 0) < 2) {
         throw InputError({.what = "the time step and the number of steps are not given",
@@ -72,7 +72,7 @@ void check_size(const SceneParts& parts, double h, const Setup& setup) {
             "at most 100000 edges along a side, and 20000000 triangles");
 }
 
-// What moves the interface: one thing.
+// Sets the motion of the interface, which must be exactly one.
 void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
     if (!parts.flow && !parts.curvature && !parts.growth && !parts.fluid) {
         if (!parts.base) {
@@ -129,7 +129,7 @@ void read_geometry(const TableReader& top, SceneParts& parts) {
         if (!shape.has("labels")) {
             parts.shapes.push_back(read_shape(shape));
         } else if (shapes.size() > 1 || top.has("curve") || top.has("exact")) {
-            shape.refuse("labels", "an image of phases beside something else",
+            shape.refuse("labels", "a scene with a label image has no other shapes or curves",
                          "one [shape], without [[curve]] and [exact]");
         } else {
             parts.labels = read_label_image(shape);
@@ -139,7 +139,8 @@ void read_geometry(const TableReader& top, SceneParts& parts) {
         parts.curves.push_back(read_curve(curve));
     }
     if (!parts.shapes.empty() && !parts.curves.empty()) {
-        top.refuse("curve", "shapes and curves in one scene", "closed curves in place of shapes");
+        top.refuse("curve", "a scene has both shapes and curves",
+                   "either; a shape can be given as a closed curve");
     }
 }
 
@@ -164,7 +165,7 @@ void read_motion(const TableReader& top, SceneParts& parts) {
     }
 }
 
-// What is asked of the mesh.
+// Reads the options of the mesh.
 void read_remeshing(const TableReader& top, SceneParts& parts) {
     if (top.has("advected")) {
         parts.advected = top.phases("advected");
@@ -233,7 +234,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     file.scene.prepare = [parts = std::move(parts)](const Parameters& p) {
         return prepare(parts, p);
     };
-    // What only shows when the parts come together is said now.
+    // Finds errors that involve several tables now, not at the start of the run.
     check_measured(file.limits, file.scene.prepare(file.scene.defaults));
     return file;
 }

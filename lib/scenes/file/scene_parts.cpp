@@ -19,7 +19,7 @@ constexpr int max_grains = 20'000;
 constexpr double finest_grains = 1e-3;
 constexpr std::size_t longest_file_name = 64;
 constexpr Bounds multiplier{1e-9, 1e9};
-/// Two times closer than this, relative to the period, are one but for rounding.
+/// Two times closer than this, relative to the period, are equal up to rounding.
 constexpr double same_time = 1e-9;
 
 std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
@@ -27,7 +27,7 @@ std::vector<std::string> with_source_keys(std::vector<std::string> keys) {
     return keys;
 }
 
-/// A length by place and time, given by a formula in x, y and t.
+/// A length as a function of position and time, given by a formula in x, y and t.
 class FormulaLength {
 public:
     FormulaLength(const std::string& formula, const Parameters& p, const std::string& where)
@@ -47,7 +47,7 @@ private:
     FormulaFlow flow_;
 };
 
-// The shapes as curves, for exact solutions: smooth where they are known as such.
+// A shape as a curve for exact solutions: smooth if its source is smooth.
 struct FirstShape {
     ParametricCurve curve;
     bool is_hole = false;
@@ -63,7 +63,7 @@ std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, con
         const bool is_hole = setup.phases[i] == exterior_phase;
         if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
             throw InputError(
-                {.what = "an exact shape is known for one phase only",
+                {.what = "the exact shape of several phases is not supported",
                  .where = shapes.front().where,
                  .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
                  .allowed = "shapes of one phase, and their holes"});
@@ -227,7 +227,7 @@ void check_grains(const Scene& scene, const Parameters& parameters, const std::s
     if (std::ranges::find(scene.keys, "grains") == scene.keys.end()) {
         return;
     }
-    // Without a number, there are as many as fit: see catalogue/networks.cpp.
+    // By default the number follows from h: see catalogue/networks.cpp.
     if (parameters.grains > max_grains ||
         (parameters.grains == 0 && parameters.h < finest_grains)) {
         throw InputError(
@@ -244,7 +244,7 @@ void add_shapes(const std::vector<ShapeSource>& shapes, double edge_length, Setu
         const std::vector<int> depths = nesting(pieces);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (pieces[i].points.size() < 3) {
-                throw InputError({.what = "a line that encloses nothing",
+                throw InputError({.what = "a closed line encloses nothing",
                                   .where = shape.where,
                                   .value = std::to_string(pieces[i].points.size()) + " points",
                                   .allowed = "lines of 3 points or more"});
@@ -285,10 +285,10 @@ void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes,
             (period > 0 && std::min(std::abs(time), std::abs(time - period)) <= same_time * period);
         ExactShape all;
         if (!is_first && !is_advected) {
-            all.area = std::numeric_limits<double>::quiet_NaN(); // nobody knows
+            all.area = std::numeric_limits<double>::quiet_NaN(); // unknown
             return all;
         }
-        // Holes run clockwise, and their area is taken away.
+        // Holes run clockwise, and their area is subtracted.
         for (const auto& [curve, is_hole] : first) {
             ExactShape one =
                 is_first ? unmoved_shape(curve)

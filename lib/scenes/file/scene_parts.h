@@ -24,32 +24,31 @@ struct CurveSource {
 
 /// An [exact]. It is one of
 ///
-///     back    = true       after the time `period` everything is where it was at the start
-///     advected = true       the shapes are advected along by the flow, which must keep areas; it
-///     is
-///                          followed closely, without any mesh
+///     back = true          after the time `period` the shapes are those of the start
+///     advected = true      the shapes are advected accurately, without a mesh, by the flow, which
+///                          must conserve areas
 struct ExactSource {
     bool is_advected = false;
     std::string where; ///< for errors
 };
 
-/// The name of a scene; unless given, that of its file. It becomes part of the names of frames, so
-/// it must not lead out of their folder.
+/// The name of a scene; by default that of its file. The names of frames contain it, so it must not
+/// contain a path.
 [[nodiscard]] std::string read_name(const TableReader& top);
 
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
-/// The [shape] that has `labels`; with the file that it names.
+/// Reads the [shape] with `labels`, and the file that it names.
 [[nodiscard]] std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader);
 [[nodiscard]] CurveSource read_curve(const TableReader& reader);
 [[nodiscard]] CurvatureMotion read_curvature(const TableReader& reader);
 [[nodiscard]] Growth read_growth(const TableReader& reader);
 [[nodiscard]] ExactSource read_exact(const TableReader& reader);
-/// A [sizes], given the parameters: their h is the shortest target.
+/// Reads [sizes]; the result gives the sizes for parameters, whose h is the shortest target.
 [[nodiscard]] std::function<SizeOptions<double>(const Parameters& parameters)>
 read_sizes(const TableReader& reader);
-/// Sets the parameters that the table [options] of a scene file names; `keys` are the ones that may
-/// stand there. Throws InputError if the file gives no edge length and neither does its scene.
+/// Sets the parameters in the table [options] of a scene file; `keys` are the allowed ones. Throws
+/// InputError if neither the file nor its scene of the catalogue gives an edge length.
 void read_options(const TableReader& top, const std::vector<std::string>& keys,
                   Parameters& parameters);
 
@@ -60,8 +59,8 @@ void check_grains(const Scene& scene, const Parameters& parameters, const std::s
 void add_shapes(const std::vector<ShapeSource>& shapes, double edge_length, Setup& setup);
 /// Fills in `curves`; closed ones repeat their first point.
 void add_curves(const std::vector<CurveSource>& curves, double edge_length, Setup& setup);
-/// Fills in `exact`, where shapes and flow are known. Throws InputError for shapes of several
-/// phases, and for a setup without the flow or the period.
+/// Fills in `exact` for known shapes and flows. Throws InputError for shapes of several phases, and
+/// for a setup without the needed flow or period.
 void set_exact(const ExactSource& exact, const std::vector<ShapeSource>& shapes, double period,
                double edge_length, Setup& setup);
 

@@ -276,7 +276,8 @@ std::string TableReader::one_of(std::span<const std::string> keys) const {
             continue;
         }
         if (!found.empty()) {
-            refuse(key, "two keys where there can be one, " + found + " and " + key, "one of them");
+            refuse(key, "only one of two keys may be given, " + found + " and " + key,
+                   "one of them");
         }
         found = key;
     }

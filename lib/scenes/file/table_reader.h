@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table of a TOML file, read key by key: each value is checked as it is read, and what is wrong
-// is said with file, line, key, value and what is allowed.
+// A table of a TOML file, read key by key: each value is checked as it is read, and errors name the
+// file, line, key, value and what is allowed.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -17,12 +17,12 @@
 
 namespace dsc::scenes {
 
-/// No coordinate, length or count of points in a scene file is larger.
+/// Bound of coordinates, lengths and counts of points in a scene file.
 inline constexpr double largest_coordinate = 1e6;
 inline constexpr std::size_t max_points = 1'000'000;
 inline constexpr int largest_phase = 1'000'000;
 
-/// A number with both bounds, which are included.
+/// A range of numbers, bounds included.
 struct Bounds {
     double low = -largest_coordinate;
     double high = largest_coordinate;
@@ -31,11 +31,11 @@ struct Bounds {
 /// A length above 0.
 inline constexpr Bounds positive_length{1e-9, largest_coordinate};
 
-/// The table and the file's name must outlive it. Every function throws InputError for a value of
-/// another kind or out of bounds.
+/// The table and the file's name must outlive the reader. Every function throws InputError for a
+/// value of the wrong type or out of bounds.
 class TableReader {
 public:
-    /// `name` is the table's own in the file, for errors; empty: the whole file.
+    /// `name` is the table's name in the file, for errors; empty: the whole file.
     TableReader(const toml::table& table, std::string name, const std::filesystem::path& file)
         : table_(&table), name_(std::move(name)), file_(&file) {}
 
@@ -64,20 +64,20 @@ public:
                                          const std::string& key) const;
     [[nodiscard]] std::vector<Point<double>> points(const std::string& key) const;
     [[nodiscard]] TableReader table(const std::string& key) const;
-    /// A list of tables, or a table that stands for a list of one; empty if there is no such key.
+    /// A list of tables; a single table is a list of one; empty if there is no such key.
     [[nodiscard]] std::vector<TableReader> tables(const std::string& key) const;
 
-    /// The table of this key; nothing if its value is no table.
+    /// The table of this key; empty if its value is not a table.
     [[nodiscard]] std::optional<TableReader> table_if_one(const std::string& key) const;
-    /// The value as --set takes it: a number, a text, or yes and no.
+    /// The value as text for --set: a number, a text, or yes and no.
     [[nodiscard]] std::string setting(const std::string& key) const;
     /// Throws InputError for the first key that is not one of these.
     void allow(std::span<const std::string> keys) const;
     void allow(std::initializer_list<std::string> keys) const {
         allow(std::span(keys.begin(), keys.size()));
     }
-    /// The one of these keys that the table has. Throws InputError if it has none of them or more
-    /// than one.
+    /// The only one of these keys that the table has. Throws InputError if it has none of them or
+    /// more than one.
     [[nodiscard]] std::string one_of(std::span<const std::string> keys) const;
 
     /// "scene.toml:12: [domain] low"; without a key, the table itself.
@@ -93,8 +93,8 @@ private:
     [[nodiscard]] TableReader reader(const toml::table& table, const std::string& key) const {
         return {table, name_.empty() ? key : name_ + "." + key, *file_};
     }
-    /// The value that `convert` makes of the node, or the list of those that it makes of the nodes
-    /// of an array; refused where it makes none.
+    /// The value of the node by `convert`, or the list of values of an array; refuses nodes that
+    /// `convert` cannot convert.
     template <class Convert>
     [[nodiscard]] auto converted(const std::string& key, Convert convert,
                                  const std::string& allowed) const;
@@ -102,7 +102,7 @@ private:
     [[nodiscard]] auto list(const std::string& key, Convert convert,
                             const std::string& allowed) const;
 
-    /// The value of a key, also where the file has it under its name of release 0.1.
+    /// The value of a key, or of its old name of release 0.1.
     [[nodiscard]] const toml::node* find(const std::string& key) const;
 
     const toml::table* table_;
@@ -110,8 +110,8 @@ private:
     const std::filesystem::path* file_;
 };
 
-/// Calls `what`, which may refuse what stands under a key, or the whole table if that is empty: the
-/// error then names that place.
+/// Calls `what` and adds the place of the key to its errors; that of the whole table if `key` is
+/// empty.
 template <class What>
 auto at_key(const TableReader& reader, const std::string& key, What what) {
     try {
@@ -124,7 +124,7 @@ auto at_key(const TableReader& reader, const std::string& key, What what) {
     }
 }
 
-/// One of the names in the table, or `otherwise` if there is no such key.
+/// The enum value named under the key; `otherwise` if there is no such key.
 template <class Enum, std::size_t n>
 [[nodiscard]] Enum read_choice(const TableReader& reader, const std::string& key,
                                const EnumTable<Enum, n>& table, Enum otherwise) {

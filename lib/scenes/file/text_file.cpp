@@ -30,7 +30,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
-    text << file.rdbuf(); // which fails for an empty file as well
+    text << file.rdbuf(); // this fails for an empty file as well
     if (!file.is_open() || (size > 0 && text.fail())) {
         throw FileError("cannot read this file", path.string(), errno);
     }
@@ -42,7 +42,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_same_file(const fs::path& a, const fs::path& b) {
-    std::error_code error; // of a file that does not exist
+    std::error_code error; // ignored: the file may not exist
     if (fs::exists(a, error) || fs::exists(b, error)) {
         return fs::equivalent(a, b, error);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small text files as a whole: scene files and what they name, and results; and a check of all
-// files that a program is to write, before it begins.
+// Reads and writes small text files (scene files, files that they name, and results), and checks
+// all files that a program will write before it begins.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace dsc::scenes {
 
 inline constexpr std::uintmax_t largest_text_file = 64'000'000; ///< bytes
 
-/// Throws FileError for what is not a readable regular file (a folder, a pipe, a device), or is
-/// larger than that.
+/// Throws FileError if the path is not a readable regular file (but a folder, a pipe, a device), or
+/// the file is larger than `largest_text_file`.
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path);
 
 /// A file that a program reads or writes, and the option that names it.
@@ -22,7 +22,7 @@ struct NamedFile {
 };
 
 /// Called before a run begins. Throws InputError for an output that cannot be written, or that is
-/// the same file as another output, one of the `others`, or one to which a standard stream goes.
+/// the same file as another output, one of the `others`, or the target of a standard stream.
 /// Devices and pipes may be named more than once.
 void check_outputs(const std::vector<NamedFile>& outputs, std::vector<NamedFile> others = {});
 

@@ -19,14 +19,15 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Times of steps are products, those asked for have been rounded when they were written down.
+/// Tolerance for comparing the times of steps, which are products, with given times, which are
+/// rounded.
 constexpr double time_slack = 1e-9; // of a step
 
 int step_that_reaches(double time, double dt) {
     return static_cast<int>(std::ceil(std::max(time, 0.0) / dt - time_slack));
 }
 
-// The collection of Kitware's "VTK file formats", which gives each frame its time.
+// A collection file (Kitware, "VTK file formats"), which gives each frame a time.
 void write_collection(const std::vector<std::pair<double, std::string>>& frames,
                       const std::string& path) {
     PartFile file(path);
@@ -77,7 +78,7 @@ Frames::Frames(FramePlan plan, std::string name, const Setup& setup)
         return;
     }
     check_times(plan_, setup);
-    std::error_code ignored; // what cannot be written is refused
+    std::error_code ignored; // an unwritable folder is refused below
     std::filesystem::create_directories(plan_.folder, ignored);
     check_outputs({{"--frames", collection()}});
 }

@@ -16,44 +16,44 @@
 
 namespace dsc::scenes {
 
-/// Which steps have a frame: those of `every` and of `times` together; where neither is given,
-/// about `count`, evenly spread, and the step half-way. With `times` alone only they have one;
-/// otherwise the first and the last step do as well.
+/// The steps with a frame: those of `every` and of `times`; if neither is given, about `count`
+/// evenly spread ones, and the step half-way. The first and the last step also have a frame, except
+/// with `times` alone.
 struct FramePlan {
     std::string folder{}; ///< empty: no frames
     int count = 9;
     int every = 0;               ///< steps; 0: not by steps
     std::vector<double> times{}; ///< each at the first step that reaches it
-    Layers layers{};             ///< of the pictures (.svg) beside them; empty: none
+    Layers layers{};             ///< of pictures (.svg) of the frames; empty: none
 };
 
-/// Throws InputError for a time that is not within the run.
+/// Throws InputError for a time outside the run.
 void check_times(const FramePlan& plan, const Setup& setup);
 
 /// True if the step has a frame; step 0 is the start. O(times).
 [[nodiscard]] bool is_frame_due(const FramePlan& plan, const Setup& setup, int step);
 
-/// Of a run of a setup, which must outlive them.
+/// The frames of a run; the setup must outlive them.
 class Frames {
 public:
-    /// Creates the folder; throws InputError, before anything has run, if it is not writable, or
-    /// where check_times does.
+    /// Creates the folder. Throws InputError if it is not writable, and as check_times does.
     Frames(FramePlan plan, std::string name, const Setup& setup);
 
     [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, setup_, step); }
-    /// The path of a step's frame, without the ending.
+    /// The path of a step's frame, without the extension.
     [[nodiscard]] std::string path_of(int step) const;
-    /// Notes a frame, of which a .vtu is to be written; returns its path without the ending.
+    /// Adds a frame, whose .vtu the caller writes, to the collection; returns its path without the
+    /// extension.
     std::string enter(int step, double time);
-    /// Writes the mesh, with these arrays beside its own, and its picture, if it is asked for.
+    /// Writes the mesh with these additional arrays, and its picture if the plan has layers.
     /// Returns the path of the mesh. Throws FileError.
     template <class Real>
     std::string write(int step, double time, const Complex<Real>& complex,
                       std::span<const VtuArray> more);
-    /// Writes the collection, and the events beside it if there are any.
+    /// Writes the collection, and a file of the events if there are any.
     void finish(std::span<const Event> events) const;
 
-    /// The frames so far, for a run that goes on from a checkpoint.
+    /// Writes or reads the list of frames so far, for checkpoints.
     void archive(Archive& archive);
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a result comes from: stated in every result file.
+// The origin of a result, which every result file states.
 #pragma once
 
 #include <string>

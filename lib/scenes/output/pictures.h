@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame as a picture: what the triangles are coloured by, and what is drawn on them.
+// A frame as a picture: the colouring of triangles, and the lines drawn on them.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -11,7 +11,7 @@
 namespace dsc::scenes {
 
 enum class Layer : std::uint8_t {
-    phases,  ///< this one or the next colours the triangles
+    phases,  ///< colours triangles; excludes `quality`
     quality, ///< equation 4 of the thesis, from 0 (dark) to 1 (bright)
     edges,
     interface,
@@ -26,7 +26,8 @@ inline constexpr std::array layer_names{
 
 using Layers = std::set<Layer>;
 
-/// "quality,interface". Throws InputError for a name that is none, or two that colour triangles.
+/// Parses a list such as "quality,interface". Throws InputError for an unknown name, or two layers
+/// that colour triangles.
 [[nodiscard]] Layers parse_layers(const std::string& names);
 
 /// Writes the picture; triangles are coloured by phase unless a layer says otherwise. O(n). Throws

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A progress line on stderr, for runs that take longer than two seconds; nothing at all if nobody
-// is watching.
+// A progress line on stderr for runs longer than two seconds; none if stderr is not a terminal.
 #pragma once
 
 #include "scenes/run/clock.h"
@@ -13,7 +12,7 @@ namespace dsc::scenes {
 
 class Progress {
 public:
-    /// `begin`: the step after which the run begins, 0 unless it goes on from a checkpoint.
+    /// `begin`: the step after which the run begins, 0 unless it is resumed.
     Progress(bool is_watched, int begin, int steps)
         : is_watched_(is_watched), begin_(begin), steps_(steps) {}
     /// Removes the line.

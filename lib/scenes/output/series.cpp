@@ -16,7 +16,7 @@ std::string cell(double value) { return std::isfinite(value) ? to_text(value) : 
 
 std::string cell(std::uint64_t value) { return std::to_string(value); }
 
-// Before the first step nothing has been counted, not even with 0.
+// The names of all operations in the rows: the row before the first step has none.
 std::set<std::string> operations_in(const std::vector<SeriesRow>& rows) {
     std::set<std::string> names;
     for (const SeriesRow& row : rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The submeshes in force, as a file next to a frame: to be drawn on the mesh.
+// The current submeshes as a file beside a frame, to be drawn on the mesh.
 #pragma once
 
 #include "dsc/parallel/parallel.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints: a run in a file, from which it goes on to the same bits. The file knows what was
-// asked for, so that nothing has to be said again.
+// Checkpoints: the state of a run in a file, from which it continues bitwise identically. The file
+// also has the scene and its settings, which need not be given again.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -12,17 +12,18 @@
 
 namespace dsc::scenes {
 
-/// To be raised with every change of what a run writes.
+/// Raise the version with every change of the format.
 inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 10};
 
-/// What a run was asked for on the command line: enough to begin it again.
+/// The command line of a run: enough to start it again.
 struct RunOrigin {
     std::string scene;                 ///< its name in the list, or the path of its file
     std::string text;                  ///< of that file; empty for a scene of the list
     std::vector<std::string> settings; ///< key=value
     Strategy strategy = Strategy::sequential;
     Submeshing submeshing;
-    std::string commit; ///< of the program that wrote the file: another one may round differently
+    std::string
+        commit; ///< of the program that wrote the file; another commit may round differently
 };
 
 void archive(Archive& archive, RunOrigin& origin);
@@ -30,7 +31,7 @@ void archive(Archive& archive, RunOrigin& origin);
 /// When checkpoints are written.
 struct CheckpointPlan {
     std::string path; ///< empty: never
-    int every = 0;    ///< steps between two of them; 0: only when the run ends or is interrupted
+    int every = 0;    ///< steps between checkpoints; 0: only at the end or an interruption
     RunOrigin origin;
 };
 
@@ -40,9 +41,10 @@ struct Checkpoint {
     std::string state; ///< of the run
 };
 
-/// Throws FileError; the file that was there before stays whole then.
+/// Throws FileError; a previous file then stays intact.
 void write_checkpoint(const CheckpointPlan& plan, const std::string& state);
-/// Throws FileError where it cannot be read, is no checkpoint, is damaged or of another version.
+/// Throws FileError if the file cannot be read, is not a checkpoint, is damaged or has another
+/// version.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& path);
 
 } // namespace dsc::scenes

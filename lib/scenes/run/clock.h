@@ -12,7 +12,7 @@ namespace dsc::scenes {
 class Stopwatch {
 public:
     [[nodiscard]] double wall() const { return seconds(CLOCK_MONOTONIC) - wall_begin_; }
-    /// Of all threads.
+    /// CPU seconds of all threads.
     [[nodiscard]] double cpu() const { return seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_begin_; }
 
 private:
@@ -26,7 +26,7 @@ private:
     double cpu_begin_ = seconds(CLOCK_PROCESS_CPUTIME_ID);
 };
 
-/// In 10^6 bytes.
+/// Peak memory in 10^6 bytes.
 [[nodiscard]] inline double peak_memory_mb() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

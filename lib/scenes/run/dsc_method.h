@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh during a run, in either precision.
+// A run by the library's method, in either precision.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -68,7 +68,7 @@ public:
         : setup_(setup), complex_(std::move(complex)),
           options_(scene_options<Real>(setup, parameters)) {
         Submeshing submeshing = run.submeshing;
-        submeshing.profile = !run.frames.folder.empty(); // the submeshes are drawn by their work
+        submeshing.profile = !run.frames.folder.empty(); // frames show the work of submeshes
         if (setup.value) {
             value_.emplace(complex_, *setup.value);
         }
@@ -82,7 +82,7 @@ public:
         auto executor = make_executor(complex_, options_, run.strategy, submeshing,
                                       algorithm ? &*algorithm : nullptr);
         executor_ = executor.get();
-        if (run.strategy == Strategy::copy) { // always all that have a submesh to work on
+        if (run.strategy == Strategy::copy) { // always uses one thread for each submesh
             threads_of_copies_ =
                 std::min(submeshing.threads, submeshes_of(run.strategy, submeshing));
         }
@@ -107,7 +107,7 @@ public:
         }
     }
 
-    /// Of a step, but not part of its time: what has to be kept in case that it fails...
+    /// Saves the state in case that the step fails; not part of its time.
     void before_step() {
         if constexpr (std::is_same_v<Real, double>) {
             if (fluid_) {
@@ -115,7 +115,7 @@ public:
             }
         }
     }
-    /// ...and what is measured of it.
+    /// Measures the step; not part of its time.
     void after_step() {
         if (fluid_) {
             fluid_->look();
@@ -145,7 +145,7 @@ public:
             take(simulation_->step(velocity_in<Real>(velocity), time, dt), begin, result);
         }
     }
-    /// Everything that the step after this one depends on.
+    /// Writes or reads the whole state after this step.
     void archive(Archive& archive, int step) {
         simulation_->archive(archive);
         if (fluid_) {
@@ -156,7 +156,7 @@ public:
         }
         leg_ = velocity_before(step);
     }
-    /// To be called after the last step: the log of edits is put in its place.
+    /// To be called after the last step: moves the log of edits to its path.
     void finish() {
         if (edits_) {
             edits_->commit();
@@ -164,15 +164,15 @@ public:
     }
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
     [[nodiscard]] const Executor<Real>& executor() const { return *executor_; }
-    /// The worst quality at any look so far, and the triangles that are inverted now.
+    /// The worst quality of all checks so far, and the triangles that are inverted now.
     [[nodiscard]] MeshQuality worst() { return watch_->look(); }
-    /// The largest error of the value at the vertices; NaN if there is none.
+    /// The largest error of the value at the vertices; NaN without such a value.
     [[nodiscard]] double value_error() const {
         return value_ ? value_->largest_error() : std::numeric_limits<double>::quiet_NaN();
     }
-    /// What is measured of a fluid after each step; nothing without one.
+    /// The figures of a fluid after the last step; empty without a fluid.
     [[nodiscard]] Figures fluid_now() const { return fluid_ ? fluid_->now() : Figures{}; }
-    /// Of the whole run.
+    /// The figures of a fluid over the whole run.
     [[nodiscard]] Figures fluid_figures() const { return fluid_ ? fluid_->figures() : Figures{}; }
     [[nodiscard]] std::uint64_t interface_vertices() const { return simulation_->interface_size(); }
     /// Threads that the last step used.
@@ -180,7 +180,7 @@ public:
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
         return submeshes ? submeshes->threads_used : threads_of_copies_;
     }
-    /// To be called before a step after which there is a frame...
+    /// To be called before a step whose end has a frame...
     void begin_frame() { begin_displacements(complex_); }
     /// ...for its arrays.
     std::vector<VtuArray> end_frame(int step) {
@@ -203,7 +203,7 @@ public:
         end_displacements(complex_);
         return arrays;
     }
-    /// The submeshes as a file next to a frame, if there are any.
+    /// Writes the submeshes, if any, to a file beside a frame.
     void map_submeshes(const std::string& frame) const {
         const std::optional<SubmeshView> submeshes = submeshes_in(*executor_);
         if (submeshes && !submeshes->partition.colours.empty() && !frame.empty()) {
@@ -213,7 +213,7 @@ public:
     }
 
 private:
-    // The velocity of a step that has been done; null where the flow is none.
+    // The velocity of the step; null if the motion is not by a velocity.
     [[nodiscard]] const Velocity* velocity_before(int step) const {
         return step == 0 || setup_.sees_interface()
                    ? nullptr
@@ -233,7 +233,7 @@ private:
         }
     }
 
-    // The step that begins at the turn, but for rounding, is the first of those back.
+    // A step that begins, up to rounding, at the time of the turn goes back.
     static double both_ways(const Growth& growth, double time) {
         return time < growth.turns_at * (1 - 1e-9) ? 1 : -1;
     }
@@ -276,14 +276,14 @@ private:
     Options<Real> options_;
     std::unique_ptr<Simulation<Real>> simulation_;
     std::optional<QualityWatch<Real>> watch_;       // of the simulation
-    std::shared_ptr<TopologyStage<Real>> topology_; ///< null where the topology is kept
+    std::shared_ptr<TopologyStage<Real>> topology_; ///< null if the topology is kept
     const Executor<Real>* executor_ = nullptr;      // of the simulation
     std::uint32_t threads_of_copies_ = 1;           ///< of the strategy that copies submeshes
     const Velocity* leg_ = nullptr;                 ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::optional<KeptValue<Real>> value_;
-    std::unique_ptr<FluidRun> fluid_; ///< null where no fluid moves the interface
+    std::unique_ptr<FluidRun> fluid_; ///< null if no fluid moves the interface
 };
 
 } // namespace dsc::scenes

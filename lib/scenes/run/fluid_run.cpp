@@ -42,8 +42,8 @@ double centre_of(const FluidField& field, Phase phase) {
     return moment / sum;
 }
 
-// The height of the wave: a constant and the wave are fitted to the vertices of the interface by
-// least squares, each vertex as much as half the edges at it are long.
+// The height of the wave: a constant and the wave are fitted to the interface vertices by least
+// squares, each weighted by half the length of its edges.
 double amplitude_of(const FluidField& field, const SmallWave& wave) {
     double weights = 0;
     double shapes = 0;
@@ -71,7 +71,7 @@ double amplitude_of(const FluidField& field, const SmallWave& wave) {
     return (weights * products - shapes * heights) / (weights * squares - shapes * shapes);
 }
 
-// How far from the left side the interface ends at the lower one.
+// The distance from the left side at which the interface ends on the lower side.
 double neck_of(const FluidField& field) {
     double farthest = unknown;
     for (const SnapshotEdge& edge : field.mesh.interface) {
@@ -90,7 +90,7 @@ struct Peak {
     double time = unknown;
 };
 
-// The largest value over time: that of the parabola through it and its neighbours. NaN where the
+// The largest value over time, by a parabola through the maximum and its neighbours. NaN if the
 // quantity could not be measured.
 template <class Quantity>
 Peak largest(const std::vector<FluidMoment>& moments, Quantity quantity) {
@@ -111,7 +111,7 @@ Peak largest(const std::vector<FluidMoment>& moments, Quantity quantity) {
     return {quantity(*at) - (before - after) / 4 * place, at->time + dt * place};
 }
 
-// The root of the mean square of what the wave's height is off, over the first height.
+// The root-mean-square error of the wave's height, relative to the first height.
 double amplitude_error(const std::vector<FluidMoment>& moments) {
     double sum = 0;
     for (const FluidMoment& moment : moments) {
@@ -131,7 +131,7 @@ double neck_error(const std::vector<FluidMoment>& moments) {
     return largest;
 }
 
-// When a height is zero for the last time, and how often it has been so.
+// The time of the last zero of a height, and the number of zeros.
 std::pair<int, double> last_zero(const std::vector<FluidMoment>& moments,
                                  double FluidMoment::*height) {
     std::pair<int, double> last{0, unknown};
@@ -147,8 +147,8 @@ std::pair<int, double> last_zero(const std::vector<FluidMoment>& moments,
     return last;
 }
 
-// By how much the wave's frequency is off, by the time of its last zero; NaN where it does not
-// oscillate, or not as often as it should.
+// The relative error of the wave's frequency, from the time of its last zero; NaN if the number of
+// zeros is 0 or wrong.
 double frequency_error(const std::vector<FluidMoment>& moments) {
     const auto own = last_zero(moments, &FluidMoment::amplitude);
     const auto exact = last_zero(moments, &FluidMoment::exact_amplitude);
@@ -177,10 +177,10 @@ void FluidRun::check_pairs_meet() const {
         });
         if (!meet) {
             throw InputError(
-                {.what = "a tension is given for two phases that never meet",
+                {.what = "a tension is given for two phases that cannot meet",
                  .where = "FluidOptions::tensions",
                  .value = "phases " + to_text(pair.one) + " and " + to_text(pair.other),
-                 .allowed = "pairs that meet, where the topology is kept"});
+                 .allowed = "pairs that meet at the start, unless topology = change"});
         }
     }
 }
@@ -218,7 +218,7 @@ StepReport FluidRun::step(Simulation<double>& simulation, double dt) {
         return report.moved;
     } catch (const SolveError& error) {
         return fail(error);
-    } catch (const InputError& error) { // two phases have met that have no tension
+    } catch (const InputError& error) { // two phases without a tension have met
         return fail(error);
     }
 }
@@ -317,7 +317,7 @@ void FluidRun::put_into(std::vector<VtuArray>& arrays) const {
 void FluidRun::archive(Archive& archive) {
     fluid_.archive(archive);
     archive(failure_, moments_, solve_s_, assembly_s_, dsc_s_);
-    archive.expect(!moments_.empty(), "holds a fluid that was never looked at");
+    archive.expect(!moments_.empty(), "contains no fluid measurements");
 }
 
 } // namespace dsc::scenes

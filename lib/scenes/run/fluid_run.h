@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A fluid during a run, and what is measured of it after each step: of the phase that the scene
-// measures, or of phase 1. Lengths are in units of the domain, all else follows from the units of
-// the scene's fluids.
+// A fluid during a run, and its figures after each step: of the phase that the scene measures, or
+// of phase 1. Lengths are in units of the domain; other units follow from those of the scene's
+// fluids.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -14,7 +14,7 @@
 
 namespace dsc::scenes {
 
-/// One moment of a fluid. What could not be measured is NaN.
+/// Figures of a fluid at one time; NaN if not measured.
 struct FluidMoment {
     double time = 0;
     double circularity = 0;      ///< of the cubic through the vertices; NaN for a phase at a wall
@@ -22,7 +22,7 @@ struct FluidMoment {
     double rise_velocity = 0;    ///< the mean of its vertical velocity
     double area = 0;             ///< with straight edges
     double largest_velocity = 0; ///< anywhere
-    double pressure_jump = 0;    ///< mean pressure of the phase less that of the exterior
+    double pressure_jump = 0;    ///< mean pressure of the phase minus that of the exterior
     double energy = 0;           ///< kinetic, potential and of the surfaces
     double amplitude = 0;        ///< of the scene's small wave; NaN without one
     double exact_amplitude = 0;  ///< the same
@@ -30,32 +30,33 @@ struct FluidMoment {
     double exact_neck = 0;       ///< the same
 };
 
-/// A fluid, its moments so far and the time that it took.
+/// A fluid with its figures over time and the time it took.
 class FluidRun {
 public:
     /// The complex must outlive it. Throws InputError where `Fluid` does.
     FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads);
 
-    /// Throws InputError if there is a tension of two phases that do not meet now: to be called
-    /// where the topology is kept, so that they never will.
+    /// Throws InputError for a tension of two phases that do not meet now. To be called if the
+    /// topology is kept: then they never will.
     void check_pairs_meet() const;
-    /// Keeps the state, to which a step that fails goes back: it leaves a mesh without its flow.
+    /// Saves the state, to be restored if the step fails: a failed step leaves a mesh without a
+    /// flow.
     void before_step(Simulation<double>& simulation);
-    /// Moves the interface of the simulation. A step that fails is undone: its report says only why
-    /// it gave up.
+    /// Moves the interface of the simulation. A failed step is undone; its report only says why it
+    /// gave up.
     StepReport step(Simulation<double>& simulation, double dt);
-    /// Measures what the last step, which has a flow, has come to.
+    /// Measures the last step, which must have a flow.
     void look();
-    /// Why the last step has no flow; empty: it has.
+    /// Why the last step failed; empty if it did not.
     [[nodiscard]] const std::string& failure() const { return failure_; }
 
-    /// The last moment, for a row of a series: always the same names.
+    /// The last figures, for a row of a series: always the same names.
     [[nodiscard]] Figures now() const;
-    /// The figures of all moments, and the seconds of the solver, the assembly and the mesh.
+    /// The figures of the whole run, and the seconds of the solver, the assembly and the mesh.
     [[nodiscard]] Figures figures() const;
-    /// Sets `velocity` to that at the vertices, and adds `pressure` and `pressure_beyond` of each
-    /// vertex: its pressure in the phase of the smallest number there, and in that of the largest.
-    /// Both are the same away from the interface.
+    /// Sets `velocity` at the vertices, and adds `pressure` and `pressure_beyond` of each vertex:
+    /// the pressures in its phases with the smallest and the largest number. They are equal away
+    /// from the interface.
     void put_into(std::vector<VtuArray>& arrays) const;
 
     void archive(Archive& archive);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a frame shows beside the mesh: how vertices move, how long edges ought to be, and which
-// submesh a triangle lies in.
+// Additional arrays of a frame: motion of vertices, target lengths of edges, and submeshes of
+// triangles.
 #pragma once
 
 #include "dsc/io/pictures.h"
@@ -11,8 +11,8 @@
 
 namespace dsc::scenes {
 
-/// Where vertices were before a step: an attribute of the complex, so that new vertices know where
-/// on their edge they would have been. To be removed by `end_displacements`. O(n).
+/// Stores the positions of vertices before a step in an attribute of the complex, so that new
+/// vertices get interpolated ones. `end_displacements` removes it. O(n).
 template <class Real>
 void begin_displacements(Complex<Real>& complex);
 template <class Real>
@@ -21,10 +21,10 @@ void end_displacements(Complex<Real>& complex);
 template <class Real>
 struct FrameView {
     const dsc::Velocity<Real>* velocity = nullptr; ///< null: that of the last step
-    Real time = 0;                                 ///< at which the velocity is asked for
+    Real time = 0;                                 ///< at which the velocity is evaluated
     Real dt = 0;                                   ///< of the last step
     Real edge_length = 0;
-    bool is_uniform = true;               ///< all edges are of that length
+    bool is_uniform = true;               ///< whether all edges have that target length
     const Partition* partition = nullptr; ///< null: not divided
 };
 

@@ -29,7 +29,7 @@ Json to_json(const Value& value) {
     return json;
 }
 
-// The measures of both moments. Null if there was no such moment.
+// The measures at the end and half-way; null if there is no half-way time.
 void add_figures(const RunResult& r, Json& json) {
     for (const Figure& figure : r.last) {
         json[figure.name + "_last"] = to_json(figure.value);
@@ -68,7 +68,7 @@ Json parameters_json(const Parameters& parameters) {
     return json;
 }
 
-// Count and area of each kind that happened.
+// Number and area of the events of each kind.
 Json events_json(const std::vector<Event>& events) {
     Json json = Json::object();
     for (const auto& [kind, name] : event_names) {
@@ -140,7 +140,7 @@ std::string to_json(const RunResult& r) {
           {"quality", histogram_json(r.quality_histogram)},
           {"angle", histogram_json(r.angle_histogram)}}},
     });
-    return json.dump(2) + "\n"; // with null for what is not a number
+    return json.dump(2) + "\n"; // NaN and infinity become null
 }
 
 std::string events_to_json_lines(std::span<const Event> events) {

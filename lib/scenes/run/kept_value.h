@@ -10,19 +10,19 @@
 
 namespace dsc::scenes {
 
-/// Refers to the complex, to which it adds the attribute "value".
+/// Keeps a reference to the complex, to which it adds the attribute "value".
 template <class Real>
 class KeptValue {
 public:
     KeptValue(Complex<Real>& complex, const RadialValue& value);
 
-    /// What interface vertices will have at the end of a step: to be called before it, so that
-    /// vertices which it inserts beside them are interpolated from values of one time. Steps should
-    /// be no longer than a sub-step. O(their number).
+    /// Sets interface vertices to their values at the end of a step. To be called before the step,
+    /// so that inserted vertices are interpolated from values at one time. Steps should not be
+    /// longer than a sub-step. O(interface).
     void set_interface(std::span<const std::uint32_t> interface, double time);
 
-    /// Of the field that is linear in each triangle of phase 1, at its vertices, the midpoints of
-    /// its edges and its centroid. O(mesh).
+    /// The largest error of the piecewise linear field in phase 1, at the vertices, midpoints of
+    /// edges and centroids of its triangles. O(mesh).
     [[nodiscard]] double largest_error() const;
 
 private:

@@ -49,10 +49,10 @@ Complex<double> from_reference(const reference::Complex& complex) {
 namespace {
 
 InputError not_in_reference(const char* key, std::string_view value) {
-    return InputError({.what = "the reference does not know this",
+    return InputError({.what = "the reference does not support this",
                        .where = key,
                        .value = std::string(value),
-                       .allowed = "what the thesis has; see reference/"});
+                       .allowed = "options of the thesis; see reference/README.md"});
 }
 
 } // namespace

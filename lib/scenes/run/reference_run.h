@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sequential method of the thesis, taken literally, on a scene, from the same initial complex.
+// Runs the literal sequential method of the thesis on a scene, from the same initial complex.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -10,21 +10,21 @@
 
 namespace dsc::scenes {
 
-/// The arrays of a complex as the reference takes them.
+/// Converts a complex to one of the reference.
 [[nodiscard]] reference::Complex to_reference(const Complex<double>& complex);
 /// The reverse. O(n log n).
 [[nodiscard]] Complex<double> from_reference(const reference::Complex& complex);
 /// The options that match `scene_options`.
 [[nodiscard]] reference::Options reference_options(const Parameters& parameters);
 
-/// Of a setup, which must outlive it.
+/// A run by the reference; the setup must outlive it.
 class ReferenceMethod {
 public:
     ReferenceMethod(const Setup& setup, const Parameters& parameters, const RunOptions& run,
                     InputReport* report = nullptr);
 
     void step(double begin, double end, RunResult& result);
-    /// Converted anew after each step, on the first request.
+    /// Converted on the first call after each step.
     [[nodiscard]] const Complex<double>& complex();
     [[nodiscard]] std::uint64_t interface_vertices();
     [[nodiscard]] MeshQuality worst() { return measure_worst(complex()); }

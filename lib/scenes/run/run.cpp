@@ -23,12 +23,12 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Checking every triangle after each step is affordable for small meshes only.
+/// Every triangle is checked after each step only in meshes with fewer triangles.
 constexpr std::uint64_t few_triangles = 60000;
 constexpr int seldom = 16;
 
-/// The scene, its parameters and the division, as a text that differs for runs that could not
-/// continue each other.
+/// The scene, its parameters and the division as a text: a checkpoint can only be resumed by a run
+/// with the same text.
 std::string identity_of(const RunResult& result) {
     return result.scene + text_of(result.parameters) + " strategy=" + to_string(result.strategy) +
            " submeshes=" + std::to_string(result.submeshes);
@@ -59,7 +59,7 @@ public:
                 result_.interrupted = true;
                 break;
             }
-            // Multiplied, not summed: the last step ends where the scene ends.
+            // Multiplied, not summed, so that the last step ends exactly with the scene.
             const double begin = (step - 1) * setup_.dt;
             const double end = step * setup_.dt;
             begin_frame(step);
@@ -69,7 +69,7 @@ public:
             const double wall_s = watch.wall();
             const double cpu_s = watch.cpu();
             if (setup_.fluid && !result_.gave_up.empty()) {
-                frame(step); // of the state before, to which a fluid goes back
+                frame(step); // of the restored state, if a fluid's step failed
                 break;
             }
             step_us_.push_back(wall_s * 1e6);
@@ -90,7 +90,7 @@ public:
         save();
         frames_.finish(result_.events);
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
-            if (!setup_.fluid || result_.gave_up.empty()) { // else the log has an undone step
+            if (!setup_.fluid || result_.gave_up.empty()) { // else the log contains an undone step
                 method_.finish();
             }
         }
@@ -129,13 +129,13 @@ private:
             frames_.write(step, time_, complex(), {});
         } else {
             const std::string path = frames_.write(step, time_, complex(), method_.end_frame(step));
-            if (step > 0) { // nothing has been divided before
+            if (step > 0) { // there are no submeshes before the first step
                 method_.map_submeshes(path);
             }
         }
     }
 
-    // All that the next step, its figures and its frames depend on.
+    // Writes or reads the whole state of the run, its figures and its frames.
     void archive([[maybe_unused]] Archive& archive) {
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
             expect_the_same(archive);
@@ -147,7 +147,7 @@ private:
         }
     }
 
-    // Another run, or one that began with another mesh, cannot be continued.
+    // Refuses the checkpoint of another run, or of one that began with another mesh.
     void expect_the_same(Archive& archive) const {
         std::string identity = identity_;
         std::uint64_t hash_first = hash_first_;
@@ -161,17 +161,18 @@ private:
                        "began with another mesh: a file of the scene or the program has changed");
     }
 
-    // What is used without another look.
+    // Checks values that are used without further checks.
     void expect_figures(const Archive& archive) const {
         archive.expect(result_.steps >= 0 && result_.steps <= setup_.steps,
-                       "has gone on for longer than this run");
-        archive.expect(result_.quality_sampled_every >= 1, "never looks at the quality");
+                       "has more steps than this run");
+        archive.expect(result_.quality_sampled_every >= 1,
+                       "has a bad sampling interval of the quality");
         bool are_complete = !result_.half || result_.half->size() == options_.measures.size();
         const std::size_t figures = series_measures_.size() + method_.fluid_now().size();
         for (const SeriesRow& row : result_.series) {
             are_complete = are_complete && row.figures.size() == figures;
         }
-        archive.expect(are_complete, "holds other figures");
+        archive.expect(are_complete, "contains other figures than this run");
     }
 
     void save() {
@@ -189,7 +190,7 @@ private:
         state.expect_end();
     }
 
-    // The interface as interpolated by the scene.
+    // The outlines, read as the scene's parameters say.
     std::vector<Outline> outlines() {
         return interface_outlines(
             complex(), {.reading = result_.parameters.interface.reading, .phase = setup_.measured});
@@ -224,7 +225,7 @@ private:
         add_to_series(0);
     }
 
-    // What has been counted so far, less what the rows before have of it.
+    // Adds a row with the counts since the previous row.
     void add_to_series(int step) {
         const int every = options_.series_every;
         if (every <= 0 || (step % every != 0 && step != setup_.steps)) {
@@ -348,18 +349,18 @@ void check_usage(const Scene& scene, const Setup& setup, const Parameters& param
                "1, or one of the strategies " + name_list(parallel_strategies(), name));
     }
     if (setup.fluid && is_float) {
-        refuse("a fluid is solved for in double", "--set real", "'float'",
+        refuse("fluids need double precision", "--set real", "'float'",
                "double for the scene " + scene.name);
     }
     if (is_reference && is_float) {
-        refuse("the reference is written for double", "--set real", "'float'", "double");
+        refuse("the reference needs double precision", "--set real", "'float'", "double");
     }
     if (is_reference && (!options.checkpoint.path.empty() || options.resume != nullptr)) {
-        refuse("the reference keeps no checkpoints", "--strategy", "'reference'",
+        refuse("the reference cannot write checkpoints", "--strategy", "'reference'",
                "another strategy");
     }
     if (is_reference && (setup.sees_interface() || !setup.advected.empty())) {
-        refuse("the reference moves the interface alone, by velocities", "--strategy",
+        refuse("the reference supports only interfaces that move by a velocity", "--strategy",
                "'reference'", "another strategy for the scene " + scene.name);
     }
 }

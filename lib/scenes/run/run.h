@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs a scene and measures it. Measuring is not timed; only the log of edits that it reads is,
-// some hundredths of a step.
+// Runs a scene and measures it. The time of measuring is not counted, except that of the log of
+// edits, a few per cent of a step.
 #pragma once
 
 #include "measures/histogram.h"
@@ -29,16 +29,16 @@ struct RunOptions {
     std::string edits;     ///< file for the log of edits (replay/replay.h); empty: none
     int series_every = 0;  ///< steps between rows of the time series; 0: none
     bool progress = false; ///< a line on stderr
-    /// What is measured at the end, and when a reversing flow is farthest out.
+    /// The measures at the end, and half-way if the flow turns back.
     std::vector<Measure> measures = default_measures();
-    /// false: everything that needs the exact shape is NaN. If the shape has no closed form,
-    /// computing it takes longer than a run on a coarse mesh.
+    /// false: figures that need the exact shape are NaN. If the shape has no closed form, computing
+    /// it takes longer than a run on a coarse mesh.
     bool measure_shape = true;
     const std::atomic<bool>* interrupted = nullptr; ///< ends the run after the current step
     int stop_after = 0; ///< ends the run after this step as an interruption does; 0: not
     CheckpointPlan checkpoint;
-    /// The run goes on from here; null: from the start. The scene, its parameters and the strategy
-    /// must be those of the run that wrote it.
+    /// The checkpoint to resume from; null: start from the beginning. The scene, its parameters and
+    /// the strategy must be those of the run that wrote it.
     const Checkpoint* resume = nullptr;
     /// Called after each step (0: before the first) with the double complex; for tests. Not called
     /// by float runs or by the reference.
@@ -50,15 +50,15 @@ struct RunResult {
     Parameters parameters;
     Strategy strategy = Strategy::sequential;
     std::uint32_t submeshes = 1;
-    std::uint32_t threads = 1;      ///< the most that a step may use
-    std::uint32_t threads_used = 1; ///< the most that a step has used
-    int steps = 0;                  ///< done; fewer than asked for if `interrupted` or `gave_up`
+    std::uint32_t threads = 1;      ///< largest number allowed
+    std::uint32_t threads_used = 1; ///< largest number used in a step
+    int steps = 0;                  ///< completed; fewer than planned if `interrupted` or `gave_up`
     bool interrupted = false;
     std::string gave_up; ///< empty, or the reason
-    /// Not all steps have been done: the figures are those of the last one that was.
+    /// Whether steps are missing: the figures are then those of the last completed step.
     [[nodiscard]] bool is_partial() const { return interrupted || !gave_up.empty(); }
 
-    InputReport input; ///< what was left out of the scene's shapes or curves
+    InputReport input; ///< simplification of the scene's shapes or curves
     std::uint64_t triangles_first = 0;
     std::uint64_t triangles_last = 0;
     std::uint64_t interface_vertices_last = 0;
@@ -66,10 +66,10 @@ struct RunResult {
     double area_exact_first = 0;
     double area_ratio = 0;       ///< A(t_n) / A(t_0), as in the thesis
     Figures last;                ///< of the measures, at the end
-    std::optional<Figures> half; ///< when a reversing flow is farthest out
+    std::optional<Figures> half; ///< half-way, if the flow turns back
     /// Largest error of the value that the scene keeps at vertices, at the end; NaN without one.
     double attribute_error = std::numeric_limits<double>::quiet_NaN();
-    Figures fluid;      ///< of a fluid (fluid_run.h); without one, none
+    Figures fluid;      ///< of a fluid (fluid_run.h); empty without one
     PhaseReport phases; ///< at the end, like the next
     JunctionFigures junctions;
     double min_quality_ever = 0;
@@ -81,7 +81,7 @@ struct RunResult {
     std::map<std::string, std::uint64_t> operations;
     std::vector<Event> events;     ///< changes of topology
     AreaAccount area;              ///< of these, if it was to be given back
-    std::vector<SeriesRow> series; ///< with the first and the last step, if it was asked for
+    std::vector<SeriesRow> series; ///< includes the first and the last step; empty if not requested
     double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;
     double first_step_us = 0; ///< wall time, as the next
@@ -92,21 +92,21 @@ struct RunResult {
     Histogram quality_histogram; ///< over 0 to 1
     Histogram angle_histogram;   ///< over 0 to 60 degrees
 
-    /// No triangle inverted, no vertex unreached, not given up.
+    /// Whether no triangle was inverted, all vertices arrived, and no step gave up.
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
 
-/// The sums and figures so far, as bytes. What is measured at the end is not part of it.
+/// Writes or reads the sums and figures so far, without those measured at the end.
 void archive(Archive& archive, SeriesRow& row);
 void archive(Archive& archive, RunResult& result);
 
-/// Throws InputError for a strategy that cannot do what is asked of it.
+/// Throws InputError for options that the strategy does not support.
 void check_usage(const Scene& scene, const Setup& setup, const Parameters& parameters,
                  const RunOptions& options);
 
-/// Throws InputError before anything has run; FileError if a frame or a checkpoint cannot be
-/// written, or if `resume` is damaged or was written by another run. A run that is broken off and
-/// resumed ends with the same bits and counts as one that is not: all but times.
+/// Throws InputError before the first step; FileError if a frame or a checkpoint cannot be written,
+/// or if `resume` is damaged or was written by another run. Results of an interrupted and resumed
+/// run are bitwise identical to those of an uninterrupted one, except for times.
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options);
 
 } // namespace dsc::scenes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What results and frames hold of the standard library, as bytes; for any archive, and so in its
-// namespace.
+// Archives types of the standard library in results and frames; in the namespace of the archive, so
+// that it finds them.
 #pragma once
 
 #include "dsc/base/archive.h"

@@ -10,7 +10,7 @@ namespace dsc::scenes {
 
 namespace {
 
-// Locks the vertices at which an interface edge ends on the domain boundary.
+// Locks the interface vertices on the domain boundary.
 template <class Real>
 void clamp_ends(Complex<Real>& complex) {
     for (const Vertex v : vertices(complex)) {
@@ -30,7 +30,7 @@ void clamp_ends(Complex<Real>& complex) {
 
 SizeOptions<double> sizes_of(const Setup& setup, const Parameters& parameters) {
     if (parameters.grade == 0) {
-        return {}; // all edges are of one length
+        return {}; // uniform edge lengths
     }
     SizeOptions<double> sizes = setup.sizes;
     sizes.growth = parameters.grade;

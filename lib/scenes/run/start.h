@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The complex and the options that a run of a scene starts with: for runs, benchmarks and tests.
+// The first complex and the options of a scene, for runs, benchmarks and tests.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -16,7 +16,7 @@ class Simulation;
 
 namespace dsc::scenes {
 
-/// `report` says what was left out.
+/// `report` gets the simplification of shapes.
 template <class Real>
 Complex<Real> first_complex(const Setup& setup, const Parameters& parameters,
                             InputReport* report = nullptr);

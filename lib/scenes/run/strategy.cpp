@@ -12,7 +12,7 @@ namespace dsc::scenes {
 
 namespace {
 
-// Between the first and the last strategy are the divisions of the thesis and of the library.
+// `sequential`, the divisions of the thesis and of the library, and `reference`.
 std::vector<StrategyEntry> make_strategies() {
     std::vector<StrategyEntry> all{
         {Strategy::sequential, "sequential", "the whole mesh at once", 1, nullptr}};

@@ -11,7 +11,7 @@
 
 namespace dsc::scenes {
 
-/// How the passes are run; `reference` is the sequential method of the thesis taken literally.
+/// How the passes are run; `reference` is the literal sequential method of the thesis.
 enum class Strategy : std::uint8_t {
     sequential,
     fixed,
@@ -23,12 +23,11 @@ enum class Strategy : std::uint8_t {
     reference,
 };
 
-/// The options of the parallel strategies, as `Parallel` has them; the division follows from the
-/// strategy.
+/// The options of the parallel strategies, as in `Parallel`; the strategy determines the division.
 struct Submeshing {
     std::uint32_t threads = 1;
     std::uint32_t submeshes = 0;     ///< 0: the strategy's own choice
-    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
+    bool always_all_threads = false; ///< even if fewer would be faster
     bool profile = false;            ///< measure times: see `SubmeshView`
 };
 
@@ -37,7 +36,7 @@ struct StrategyEntry {
     Strategy strategy;
     std::string name;
     std::string description;
-    std::uint32_t submeshes;  ///< if no number is asked for; 0: chosen during the run
+    std::uint32_t submeshes;  ///< default number; 0: chosen during the run
     const Division* division; ///< null unless it is parallel
 };
 
@@ -45,19 +44,18 @@ struct StrategyEntry {
 [[nodiscard]] const std::vector<StrategyEntry>& strategies();
 
 [[nodiscard]] std::string to_string(Strategy strategy);
-/// Throws InputError, naming the strategies that exist.
+/// Throws InputError, which lists all strategies.
 [[nodiscard]] Strategy parse_strategy(const std::string& name);
-/// Neither sequential nor the reference.
+/// Whether the strategy is neither `sequential` nor `reference`.
 [[nodiscard]] bool is_parallel(Strategy strategy);
-/// Those of which is_parallel is true.
+/// The strategies with `is_parallel`.
 [[nodiscard]] std::vector<Strategy> parallel_strategies();
 
-/// The number of submeshes that results: the number asked for, or the strategy's default; 0: chosen
-/// during the run.
+/// The number of submeshes: the given one, or the strategy's default; 0: chosen during the run.
 [[nodiscard]] std::uint32_t submeshes_of(Strategy strategy, const Submeshing& submeshing);
 
-/// The executor, for the default algorithm or another; null for `reference`, and for `sequential`
-/// with the default one. Throws InputError if options make no sense for this strategy.
+/// The executor of an algorithm; null for `reference`, and for `sequential` with the default
+/// algorithm. Throws InputError if the strategy does not support the options.
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               Strategy strategy, const Submeshing& submeshing,

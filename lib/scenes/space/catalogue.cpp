@@ -16,8 +16,7 @@ using Velocities = std::span<Point>;
 
 double ball_volume(double radius) { return 4.0 / 3 * pi * std::pow(radius, 3); }
 
-// A ball that ends as a ball, in steps that last as long as an edge is, unless their number is
-// given.
+// A ball that ends as a ball. Unless their number is given, steps have the duration h.
 Setup ball_setup(const Parameters& p, double duration, const Point& first, double first_radius,
                  const Point& last, double last_radius) {
     Setup setup;
@@ -65,7 +64,7 @@ struct SlottedBall {
         const double slot = std::max(std::abs(r.x()) - half_width, r.y() - top);
         return std::max(r.norm() - radius, -slot);
     }
-    // The slot's sections at all x, by Simpson's rule.
+    // The cross-sections of the slot integrated over x by Simpson's rule.
     [[nodiscard]] double volume() const {
         constexpr int n = 64;
         double slot = 0;

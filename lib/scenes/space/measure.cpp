@@ -17,7 +17,7 @@ double area(const Point& a, const Point& b, const Point& c) {
     return (b - a).cross(c - a).norm() / 2;
 }
 
-// By a rule of 64 pieces.
+// Integrates the distance over a face in 64 pieces.
 double between(const dsc3::Distance& distance, const Point& a, const Point& b, const Point& c) {
     constexpr int n = 8;
     double sum = 0;
@@ -32,13 +32,13 @@ double between(const dsc3::Distance& distance, const Point& a, const Point& b, c
     return area(a, b, c) * sum / (n * n);
 }
 
-// Edges of a face are cut into so many, where it is taken back by the flow.
+// The number of pieces of each edge of a face that is moved back by the flow.
 constexpr int pieces = 4;
 constexpr int points_of_face = (pieces + 1) * (pieces + 2) / 2;
-// The error of RK4 in so many steps is far below that of the interface.
+// The error of RK4 with this number of steps is far below that of the interface.
 constexpr int steps_back = 48;
 
-// The number of the point i pieces from a towards b and j towards c.
+// The index of the point that is i pieces from a towards b and j towards c.
 int number(int i, int j) { return i * (pieces + 1) - i * (i - 1) / 2 + j; }
 
 } // namespace

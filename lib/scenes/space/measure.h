@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far an interface in three dimensions is from where it should be.
+// Errors of an interface in three dimensions.
 #pragma once
 
 #include "scenes/space/scene.h"
@@ -9,12 +9,12 @@ namespace dsc::scenes::space {
 /// The volume between the interface and a shape: the distance, integrated over the faces.
 [[nodiscard]] double volume_between(const dsc3::Complex& complex, const dsc3::Distance& shape);
 
-/// The volume between the interface at some time and the exact one, for a flow that keeps volumes.
-/// It is measured at time 0, where the exact interface is known: pieces of all faces are taken back
-/// by the flow, the faces' own vertices among them, as if each face were cut into 16.
+/// The volume between the interface at some time and the exact one, for a flow that conserves
+/// volume. It is measured at time 0, when the exact interface is known: each face is cut into 16
+/// pieces, whose vertices are moved back by the flow.
 [[nodiscard]] double volume_between(const dsc3::Complex& complex, const Setup& setup, double time);
 
-/// Distances of the interface's vertices from a shape.
+/// Distances of interface vertices from a shape.
 struct VertexErrors {
     std::uint32_t vertices = 0;
     double rms = 0;

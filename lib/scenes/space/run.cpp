@@ -151,7 +151,7 @@ private:
         }
     }
 
-    // All that the next step and the figures depend on.
+    // Writes or reads the whole state and the figures.
     void archive(Archive& archive) {
         std::string identity = result_.scene + ", " + std::to_string(setup_.steps) + " steps of " +
                                to_text(setup_.dt) + ", h = " + to_text(result_.parameters.h);
@@ -166,8 +166,7 @@ private:
         RunResult& r = result_;
         archive(r.steps, r.tets_first, r.interface_vertices_max, r.volume_first, r.sd_rel_half,
                 r.inverted, r.tet_steps, r.step_us, r.cpu_s, r.wall_s);
-        archive.expect(r.steps >= 0 && r.steps <= setup_.steps,
-                       "has gone on for longer than this run");
+        archive.expect(r.steps >= 0 && r.steps <= setup_.steps, "has more steps than this run");
         archive_report(archive, r.sum);
         archive_quality(archive, r.quality_last);
         archive_quality(archive, r.quality_ever);

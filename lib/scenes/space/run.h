@@ -16,12 +16,12 @@
 
 namespace dsc::scenes::space {
 
-/// What a run came to. Lengths and volumes are in units of the domain.
+/// The result of a run. Lengths and volumes are in units of the domain.
 struct RunResult {
     std::string scene;
     Parameters parameters;
     std::vector<std::string> keys; ///< of the scene
-    int steps = 0;                 ///< that were done
+    int steps = 0;                 ///< completed
     bool interrupted = false;
     std::uint32_t tets_first = 0;
     std::uint32_t tets_last = 0;
@@ -32,13 +32,14 @@ struct RunResult {
     double volume_exact_last = 0;
     std::optional<double>
         sd_rel_last{}; ///< volume between the interface and the exact one, relative
-    std::optional<double> sd_rel_half{};      ///< the same where a flow turns back
-    std::optional<double> vertex_error_rms{}; ///< of the interface's vertices from the exact shape
+    std::optional<double> sd_rel_half{}; ///< the same when the flow turns back
+    std::optional<double>
+        vertex_error_rms{}; ///< distance of interface vertices from the exact shape
     std::optional<double> vertex_error_max{};
     dsc3::MeshQuality quality_last;
     dsc3::MeshQuality quality_ever;
     std::uint64_t inverted = 0;    ///< steps after which a tet was inverted
-    std::string problem;           ///< what `validate` found at the end
+    std::string problem;           ///< the first problem that `validate` found at the end
     dsc3::StepReport sum;          ///< over all steps
     std::uint64_t tet_steps = 0;   ///< tets, summed over the steps
     std::vector<double> step_us{}; ///< of each step
@@ -55,30 +56,30 @@ struct RunResult {
     }
 };
 
-/// How a run is made and what it writes.
+/// The options and outputs of a run.
 struct RunOptions {
     FramePlan frames{}; ///< of the tets (.vtu) and the interface (.ply)
     CheckpointPlan checkpoint{};
-    const Checkpoint* resume = nullptr; ///< goes on from there, to the same bits
+    const Checkpoint* resume = nullptr; ///< to resume from, bitwise identically
     int stop_after = 0;                 ///< steps; 0: no such limit
     const std::atomic<bool>* interrupted = nullptr;
-    bool progress = false; ///< somebody is watching
+    bool progress = false; ///< whether to show a progress line
 };
 
-/// Runs all steps, or those until it is interrupted. Throws InputError for an integrator that there
-/// is not, for shapes that `initial_complex` refuses, and for frames as `Frames` does; FileError
-/// for a checkpoint of another run.
+/// Runs all steps, or those until it is interrupted. Throws InputError for an integrator that is
+/// not available, for shapes that `initial_complex` refuses, and for frames as `Frames` does;
+/// FileError for a checkpoint of another run.
 [[nodiscard]] RunResult run_scene(const Scene& scene, const Parameters& parameters,
                                   const RunOptions& options);
 
-/// The figures that limits may name, and their values; NaN for what was not measured. Lengths that
-/// end in _h are in edge lengths.
+/// The figures that limits may name, and their values; NaN if not measured. Figures whose names end
+/// in _h are in edge lengths.
 [[nodiscard]] std::map<std::string, double> figures(const RunResult& result);
 
 /// One JSON object.
 [[nodiscard]] std::string to_json(const RunResult& result);
 
-/// Some lines for a reader.
+/// Prints the summary of a run.
 void print_summary(const RunResult& result);
 
 } // namespace dsc::scenes::space

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes in three dimensions: a shape, a flow, and the shape that an exact method would have.
+// Scenes in three dimensions: a shape, a flow, and the exact shape.
 #pragma once
 
 #include "dsc3/algorithm/simulation.h"
@@ -20,24 +20,24 @@ struct Setup {
     dsc3::Velocity velocity{};
     double dt = 0;
     int steps = 0;
-    std::optional<int> half_step{}; ///< where a flow that keeps volumes turns back
-    dsc3::Distance last{};          ///< the exact shape at the end; empty: not known
+    std::optional<int> half_step{}; ///< when a flow that conserves volume turns back
+    dsc3::Distance last{};          ///< the exact shape at the end; empty: unknown
     double volume_last = 0;         ///< of the exact shape at the end
 };
 
 struct Scene {
     std::string name;
     std::string description;
-    std::string section; ///< where it comes from
+    std::string section; ///< the section of the thesis, or "3D"
     Parameters defaults{};
     std::function<Setup(const Parameters&)> prepare{};
     std::vector<std::string> keys{"h", "steps", "integrator"}; ///< that --set accepts
 };
 
-/// All of them.
+/// All scenes in three dimensions.
 [[nodiscard]] const std::vector<Scene>& catalogue();
 
-/// The scene of that name; null if it is none in three dimensions.
+/// The scene of that name; null if there is none in three dimensions.
 [[nodiscard]] const Scene* find_scene(const std::string& name);
 
 } // namespace dsc::scenes::space

@@ -62,8 +62,8 @@ void add_file(const TableReader& reader, [[maybe_unused]] KnownShape& known) {
     known.volume = volume_of(surface);
     known.shape.distance = dsc3::closed_surface(std::move(surface));
 #else
-    reader.refuse("file", "this program was built without Assimp and reads no surfaces",
-                  "another shape, or a program built where there is libassimp-dev");
+    reader.refuse("file", "this program was built without Assimp and cannot read surfaces",
+                  "another shape; or install libassimp-dev and build again");
 #endif
 }
 
@@ -117,7 +117,7 @@ KnownShape shape_of(const TableReader& reader) {
     return known;
 }
 
-/// The flow, for values of h and the period that may have been set since the file was read.
+/// Makes the flow for the final values of h and the period, which --set may have changed.
 std::function<dsc3::Velocity(const Parameters&)> flow_of(const TableReader& reader) {
     reader.allow({"u", "v", "w", "parameters"});
     SpaceFormulaTexts texts{.components = {reader.text("u"), reader.text("v"), reader.text("w")},
@@ -151,7 +151,7 @@ struct Parts {
     bool comes_back = false;
 };
 
-// The time step and the number of steps that a file of its own gives.
+// Sets the time step and the number of steps that the file gives.
 void set_times(const Parts& parts, const Parameters& p, Setup& setup) {
     if ((p.dt > 0) + (p.steps > 0) + (p.period > 0) < 2) {
         throw InputError({.what = "the time step and the number of steps are not given",
@@ -235,7 +235,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
         parts.flow = flow_of(top.table("flow"));
     }
     if (!parts.base && (parts.shapes.empty() || !parts.flow)) {
-        top.refuse("", "a scene of its own without a shape or a flow", "[shape] and [flow]");
+        top.refuse("", "the scene has no shape or no flow", "[shape] and [flow]");
     }
     if (top.has("exact")) {
         const TableReader exact = top.table("exact");
@@ -248,7 +248,8 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     file.scene.prepare = [parts = std::move(parts)](const Parameters& p) {
         return prepare(parts, p);
     };
-    const Setup setup = file.scene.prepare(file.scene.defaults); // what is wrong is said now
+    const Setup setup =
+        file.scene.prepare(file.scene.defaults); // finds errors now, not at the start of the run
     if (top.has("limits")) {
         std::vector<std::string> names;
         for (const auto& [name, value] : figures({})) {
@@ -261,7 +262,7 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
             if ((needs_shape && !setup.last) ||
                 (limit.figure == "sd_rel_half" && !setup.half_step)) {
                 top.table("limits").refuse(limit.figure, "the run does not measure this figure",
-                                           "limits of figures that the run has");
+                                           "figures that the run measures");
             }
         }
     }

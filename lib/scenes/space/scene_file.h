@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Scenes of one's own in three dimensions, as TOML:
+// Scene files in three dimensions (TOML):
 //
-//     scene = "enright"          # to begin with one of `dsc_scene list`; unless given, all is here
-//     name  = "mine"             # of results; unless given, the file's
+//     scene = "enright"          # optional: starts from this scene of `dsc_scene list`
+//     name  = "mine"             # in results; by default the file's name
 //
 //     [domain]
-//     size = [1, 1, 1]           # three numbers: what makes it a scene in three dimensions
-//     low  = [0, 0, 0]           # the corner of the smallest coordinates, unless it is this one
+//     size = [1, 1, 1]           # three numbers, which make the scene three-dimensional
+//     low  = [0, 0, 0]           # the corner with the smallest coordinates; this is the default
 //
-//     [shape]                    # or [[shape]], several: of those within each other the later
-//     counts sphere    = { centre = [0.3, 0.3, 0.3], radius = 0.15 }                   # or one of
+//     [shape]                    # or several [[shape]]: inside each other, the later one counts
+//     sphere    = { centre = [0.3, 0.3, 0.3], radius = 0.15 }    # or one of the next four
 //     box       = { low = [0.2, 0.2, 0.2], high = [0.4, 0.5, 0.4] }
 //     ellipsoid = { centre = [0.5, 0.5, 0.5], radii = [0.3, 0.2, 0.1] }
 //     torus     = { centre = [0.5, 0.5, 0.5], axis = [0, 0, 1], radius = 0.25, tube = 0.1 }
 //     file      = "bunny.stl"    # closed; also .ply, .obj; relative to the scene file
-//     scale, move = 0.01, [0.5, 0.5, 0]     # of what a file holds: first scaled, then moved
+//     scale, move = 0.01, [0.5, 0.5, 0]     # of the surface in `file`: first scaled, then moved
 //     phase     = 1
 //
 //     [flow]                     # formulas in x, y, z, t, the parameters and pi, h, period
@@ -24,9 +24,9 @@
 //     [options]                  # h, dt, steps, period (two of the last three), integrator
 //
 //     [exact]
-//     back = true                # the flow leads the shape back to where it was
+//     back = true                # the flow returns the shape to its first place
 //
-//     [limits]                   # figure = most, or { least, most }: see `figures` of run.h
+//     [limits]                   # figure = max, or { min, max }: see `figures` of run.h
 #pragma once
 
 #include "scenes/file/figure_limits.h"
@@ -39,11 +39,11 @@ namespace dsc::scenes::space {
 struct SceneFile {
     Scene scene;
     std::vector<FigureLimit> limits{};
-    std::vector<std::string> files{}; ///< that it names
+    std::vector<std::string> files{}; ///< the files that the scene names
 };
 
-/// Whether the text, which is called `path` in errors, is a scene in three dimensions: its domain
-/// has a size, or it begins with a scene that is one. Throws InputError for what is no TOML.
+/// Whether the text is a scene in three dimensions: its domain has a `size`, or it starts from such
+/// a scene. Errors call the text `path`. Throws InputError if it is not TOML.
 [[nodiscard]] bool is_in_space(const std::string& text, const std::filesystem::path& path);
 
 /// Reads a scene and the files that it names. Throws InputError with file, line, key, value and

@@ -46,7 +46,7 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
         {few_steps + advected + "[limits]\nsd_rel_half = 1\n", {"s.toml:13", "half-way"}},
         {"[options]\nh = 0.1\ndt = 0.1\nperiod = 1\n[exact]\nback = true\n[limits]\nsd_half = 1\n",
          {"s.toml:8", "sd_half", "half-way"}},
-        {few_steps + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "keeps no value"}},
+        {few_steps + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "has no value"}},
         {few_steps + advected + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
          {"s.toml:15", "sd_last", "not known"}},
     };

@@ -330,15 +330,15 @@ TEST_F(FilesBeside, LabelImagesOfEveryKind) {
     const SceneFile file = read_scene_file(folder_ / "b.toml");
     EXPECT_GE(run_scene(file.scene, file.scene.defaults, {}).input.dropped, 1U);
     const std::vector<std::pair<std::string, std::string>> bad{
-        {"1 1\n2\n", "rows of several lengths"},
+        {"1 1\n2\n", "rows have different lengths"},
         {"1 -1\n", "not a phase"},
         {"1 1.5\n", "not a phase"},
-        {"", "an image without pixels"},
-        {"P2 2 3 9 1 1 2 3 2", "another size"},
-        {"P5 2 3 255\n123", "another size"},
+        {"", "the image has no pixels"},
+        {"P2 2 3 9 1 1 2 3 2", "does not match the size"},
+        {"P5 2 3 255\n123", "does not match the size"},
         {"P5 2", "not a phase"},
         {npy("<f8", "False", by_rows), "not an array of whole numbers"},
-        {npy("|u1", "False", "123"), "another size"},
+        {npy("|u1", "False", "123"), "does not match the size"},
         {npy("|i1", "False", {1, 1, 2, -3, 2, 3}), "not a phase"},
         {"\x93NUMPY", "not an array of whole numbers"}};
     for (const auto& [content, what] : bad) {

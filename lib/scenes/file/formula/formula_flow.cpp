@@ -9,7 +9,7 @@ namespace dsc::scenes {
 
 namespace {
 
-// Vectors of two or three components at each place.
+// Evaluates vectors of two or three components at each position.
 template <class Vector, std::size_t n>
 void evaluate(const FormulaGraph& graph, const std::array<FormulaNodeId, n>& components,
               std::span<const Vector> positions, double time, std::span<Vector> velocities) {
@@ -30,7 +30,7 @@ void evaluate(const FormulaGraph& graph, const std::array<FormulaNodeId, n>& com
         }
     };
 
-    // What is the same at all places stays in its rows.
+    // Rows that are the same at all positions are computed once.
     const std::size_t longest = std::min(formula_row_length, positions.size());
     for (std::size_t i = FormulaGraph::t; i < nodes.size(); ++i) {
         if (nodes[i].operation == nullptr && !nodes[i].sees_place) {

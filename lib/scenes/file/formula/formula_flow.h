@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A velocity field given by two formulas in x, y and t.
 //
-// The formulas are read once. Each operation is then computed on a row of positions, so that the
-// processor's vector units are at work and a formula costs no more than four times as much as the
-// same field written in C++ (muParser 2.3.3, which takes one position after the other: 70 to 95
-// times as much). Whatever depends on the time alone is computed once for each batch.
+// The formulas are read once. Each operation is then computed on a row of positions with vector
+// instructions, so a formula takes at most four times as long as the same field in C++ (muParser
+// 2.3.3, which evaluates one position at a time, takes 70 to 95 times as long). Operations that
+// depend only on the time are computed once for each batch.
 #pragma once
 
 #include "flows/velocity.h"
@@ -15,15 +15,15 @@
 namespace dsc::scenes {
 
 inline constexpr std::size_t longest_formula = 4096; ///< characters
-inline constexpr int deepest_formula = 64;           ///< parentheses within each other
-/// Operations of the two formulas together.
+inline constexpr int deepest_formula = 64;           ///< levels of nested parentheses
+/// Largest number of operations of the two formulas together.
 inline constexpr std::size_t max_formula_nodes = 512;
 
-/// True for a name that a parameter may have: letters, digits and _, with a letter first, and not
-/// that of a variable or a function.
+/// Whether a parameter may have this name: letters, digits and _, with a letter first, and not the
+/// name of a variable or a function.
 [[nodiscard]] bool is_parameter_name(std::string_view name);
 
-/// The two components of a velocity: formulas, and where each comes from, for errors.
+/// The formulas of the two components of a velocity, and their places in the file for errors.
 struct FormulaTexts {
     std::string u; ///< along x
     std::string v; ///< along y
@@ -34,7 +34,7 @@ struct FormulaTexts {
 
 /// A Velocity. The result for a position depends neither on the batch nor on the thread; calls from
 /// several threads at once are safe, and nothing is allocated. Sines and cosines are those of
-/// `sine_cosine_pi`, with an error below 1e-15 + 3e-16 |argument|; where a formula has no value the
+/// `sine_cosine_pi`, with an error below 1e-15 + 3e-16 |argument|; where a formula is undefined the
 /// result is NaN or infinite.
 class FormulaFlow {
 public:
@@ -44,7 +44,7 @@ public:
     void operator()(std::span<const Point<double>> positions, double time,
                     std::span<Point<double>> velocities) const;
 
-    /// Whether the time occurs in either formula.
+    /// Whether either formula depends on the time.
     [[nodiscard]] bool uses_time() const;
 
 private:

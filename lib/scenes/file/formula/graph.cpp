@@ -13,13 +13,13 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Up to this exponent, a power is a product.
+/// Powers with whole exponents up to this one are computed as products.
 constexpr double largest_product = 8;
 
 constexpr int any_number = 64;
 
-// A function of one or two numbers, on rows. Rows are the same or apart, never shifted against each
-// other.
+// Applies a function of one or two numbers to rows. Two rows are either identical or do not
+// overlap.
 template <class Function>
 constexpr RowOperation on_rows(Function) {
     return [](const double* a, const double* b, const double*, double* result, std::size_t count) {
@@ -55,7 +55,7 @@ constexpr std::array sums{
 };
 constexpr std::array products{NamedOperation{"*", multiply}, NamedOperation{"/", divide}};
 
-// min and max are NaN where an argument is, so that it is noticed.
+// min and max return NaN if an argument is NaN, so that it is noticed.
 constexpr std::array functions{
     NamedOperation{"abs", on_rows([](double a) { return std::abs(a); }), 1, 1},
     NamedOperation{"acos", on_rows([](double a) { return std::acos(a); }), 1, 1},
@@ -85,7 +85,7 @@ constexpr std::array functions{
     NamedOperation{"tanh", on_rows([](double a) { return std::tanh(a); }), 1, 1},
 };
 
-/// The sine of pi a, and in the row behind the result its cosine.
+/// The sine of pi a, and its cosine in the row after the result.
 constexpr RowOperation sine_cosine_pi_rows = [](const double* a, const double*, const double*,
                                                 double* result, std::size_t count) {
     sine_cosine_pi(a, count, result, result + formula_row_length);
@@ -111,7 +111,7 @@ std::span<const NamedOperation> formula_operators(int level) {
     return level == 1 ? std::span<const NamedOperation>(sums) : products;
 }
 
-// By the bits of the value: 0 and -0 are different constants.
+// Compares the bits of values: 0 and -0 are different constants.
 bool operator==(const FormulaNode& a, const FormulaNode& b) {
     return a.operation == b.operation && a.of == b.of && a.sees_place == b.sees_place &&
            a.sees_time == b.sees_time &&
@@ -182,7 +182,7 @@ FormulaNodeId FormulaGraph::power(FormulaNodeId base, FormulaNodeId exponent) {
     return product;
 }
 
-// The two stand side by side; the node of the sine computes both.
+// Sine and cosine are consecutive nodes; the node of the sine computes both.
 FormulaNodeId FormulaGraph::sine_or_cosine(RowOperation operation, FormulaNodeId angle) {
     const FormulaNodeId half = half_turns(angle);
     const FormulaNodeId first =
@@ -191,7 +191,7 @@ FormulaNodeId FormulaGraph::sine_or_cosine(RowOperation operation, FormulaNodeId
     return operation == sine ? first : second;
 }
 
-// The constant factors of a product, a quotient or a negative are taken out and divided by pi.
+// Divides an angle by pi: the constant factor of a product, a quotient or a negation is divided.
 FormulaNodeId FormulaGraph::half_turns(FormulaNodeId angle) {
     double factor = 1;
     while (true) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Formulas as a graph of operations in which nothing is written twice: what two formulas have in
-// common, or one formula says again, is one node and is computed once. Each operation is one on
-// rows of numbers.
+// Formulas as a graph of operations. Common subexpressions, of one formula or of several, are one
+// node and are computed once. Each operation acts on rows of numbers.
 #pragma once
 
 #include <array>
@@ -14,11 +13,11 @@
 
 namespace dsc::scenes {
 
-/// Numbers at once: with few operations, their rows stay in the first-level cache.
+/// Length of rows: with few operations, all rows fit into the first-level cache.
 inline constexpr std::size_t formula_row_length = 64;
 
-/// Computes `count` numbers, each from those in the same place of the operands' rows; an operand
-/// that an operation does not have is null. The result for one place does not depend on the others.
+/// Computes `count` numbers element by element from the operands' rows; missing operands are null.
+/// Each result depends only on its own elements.
 using RowOperation = void (*)(const double* a, const double* b, const double* c, double* result,
                               std::size_t count);
 
@@ -27,21 +26,21 @@ struct NamedOperation {
     std::string_view name;
     RowOperation operation;
     int min_arguments = 2;
-    int max_arguments = 2; ///< min and max take more, two by two
+    int max_arguments = 2; ///< min and max accept more, applied in pairs
 };
 
-/// In alphabetical order.
+/// All functions in alphabetical order.
 [[nodiscard]] std::span<const NamedOperation> formula_functions();
 
 inline constexpr int operator_levels = 3;
-/// The operators of a level, from 0, which binds least: comparisons (1 if true, 0 if not), sums and
-/// products. A name comes after any that it is the beginning of.
+/// The operators of a level of precedence, from the lowest, 0: comparisons (1 if true, 0 if not),
+/// sums and products. A name that is a prefix of another comes after it.
 [[nodiscard]] std::span<const NamedOperation> formula_operators(int level);
 
-/// Those that a formula needs besides.
+/// Other operations of formulas.
 extern const RowOperation negate_rows;
 extern const RowOperation power_rows;
-extern const RowOperation choose_rows; ///< b where a is not 0, and c elsewhere
+extern const RowOperation choose_rows; ///< b if a is not 0, else c
 
 /// A node of the graph, by its index.
 using FormulaNodeId = int;
@@ -53,7 +52,7 @@ struct FormulaNode {
     std::array<FormulaNodeId, 3> of{no_formula_node, no_formula_node, no_formula_node};
     bool sees_place = false; ///< depends on x, y or z
     bool sees_time = false;
-    double value = 0; ///< of a constant, which sees neither
+    double value = 0; ///< of a constant
 
     friend bool operator==(const FormulaNode& a, const FormulaNode& b);
 };
@@ -72,10 +71,10 @@ public:
     [[nodiscard]] std::string_view variables() const { return dimension_ == 3 ? "xytz" : "xyt"; }
 
     [[nodiscard]] FormulaNodeId constant(double value);
-    /// The node of this operation: a new one, an equal one that is there already, or a constant if
-    /// all operands are. Small whole powers become products. A constant factor of the argument of
-    /// a sine or cosine is divided by pi once and for all, so that sin(pi x) is exact where x is a
-    /// multiple of one half. O(nodes).
+    /// The node of this operation: a new one, an existing equal one, or a constant if all operands
+    /// are constants. Small whole powers become products. A constant factor of the argument of a
+    /// sine or cosine is divided by pi in advance, so sin(pi x) is exact if x is a multiple of one
+    /// half. O(nodes).
     [[nodiscard]] FormulaNodeId apply(RowOperation operation, FormulaNodeId a,
                                       FormulaNodeId b = no_formula_node,
                                       FormulaNodeId c = no_formula_node);
@@ -100,11 +99,11 @@ private:
     int dimension_;
 };
 
-/// Names and their values; pi is always known.
+/// Names and their values; pi is always defined.
 using FormulaParameters = std::map<std::string, double, std::less<>>;
 
-/// Throws InputError, with the character at which the formula breaks off and what could stand
-/// there; `where` says whose formula it is. O(n^2).
+/// Throws InputError with the position of the error and what is allowed there; `where` names the
+/// formula. O(n^2).
 [[nodiscard]] FormulaNodeId parse_formula(std::string_view text, const FormulaParameters& known,
                                           const std::string& where, FormulaGraph& graph);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The text of a formula becomes a graph.
+// Parses the text of a formula to a graph.
 //
 //     formula    = comparison [ "?" formula ":" formula ]
 //     comparison = sum [ ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum ]
@@ -114,7 +114,7 @@ private:
         return value;
     }
 
-    // Operands joined by the operators of a level; comparisons are not chained.
+    // Parses operands joined by the operators of a level; comparisons cannot be chained.
     FormulaNodeId operands_of_level(int level) {
         if (level == operator_levels) {
             return with_sign();

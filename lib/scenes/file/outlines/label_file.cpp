@@ -56,12 +56,13 @@ private:
         add(label);
     }
 
-    // The bytes of `rows` * `columns` numbers that begin at `begin`.
+    // The bytes of `rows` * `columns` numbers from `begin` on.
     std::string_view bytes(std::size_t begin, std::size_t bytes_each) {
         const std::size_t there = begin <= content_.size() ? content_.size() - begin : 0;
         if (image_.columns == 0 || image_.rows != there / bytes_each / image_.columns ||
             image_.rows * image_.columns * bytes_each != there) {
-            refuse("the image has another size than it says", std::to_string(there) + " bytes",
+            refuse("the data does not match the size of the image",
+                   std::to_string(there) + " bytes",
                    std::to_string(image_.rows) + " rows of " + std::to_string(image_.columns) +
                        " numbers of " + std::to_string(bytes_each) + " bytes");
         }
@@ -154,7 +155,7 @@ private:
             add(text);
         }
         if (image_.labels.size() != image_.rows * image_.columns) {
-            refuse("the image has another size than it says",
+            refuse("the data does not match the size of the image",
                    std::to_string(image_.labels.size()) + " numbers",
                    std::to_string(image_.rows) + " rows of " + std::to_string(image_.columns));
         }
@@ -176,14 +177,14 @@ private:
                 continue;
             }
             if (image_.rows++ > 0 && count != image_.columns) {
-                refuse("rows of several lengths",
+                refuse("rows have different lengths",
                        std::to_string(count) + " numbers in line " + std::to_string(number),
                        std::to_string(image_.columns) + " as in the rows before");
             }
             image_.columns = count;
         }
         if (image_.rows == 0) {
-            refuse("an image without pixels", quoted_excerpt(content_),
+            refuse("the image has no pixels", quoted_excerpt(content_),
                    "a .npy, a .pgm, or rows of whole numbers");
         }
     }

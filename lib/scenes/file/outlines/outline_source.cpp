@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Edges of one outline: far more than a mesh could hold.
+/// Largest number of edges of an outline: far more than fit into a mesh.
 constexpr double max_edges_of_shape = 1e6;
 
 const std::vector<std::string> source_kinds{"points", "file", "circle", "ellipse", "rectangle"};
@@ -28,7 +28,7 @@ OutlineSource read_outline_file(const TableReader& reader, bool close) {
     return always(read_points(read_text_file(path), close, path.string()));
 }
 
-// In equal steps of the parameter no edge is longer than in a circle of the larger radius.
+// With equal steps of the parameter, no edge is longer than in a circle with the larger radius.
 OutlineSource ellipse(const TableReader& reader, const Point<double>& radii, double angle) {
     const Point<double> centre = reader.point("centre");
     const Point<double> axis(std::cos(angle), std::sin(angle));

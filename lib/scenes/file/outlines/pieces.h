@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines as they come from outside: closed or open, in any number and orientation.
+// Lines from input files: closed or open, in any number and orientation.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,13 +14,13 @@ struct Piece {
     bool is_closed = true;
 };
 
-/// The line through these points. Where it ends at the point at which it begins, that one is not
-/// repeated, and the piece is closed; others are if `close` is true.
+/// The line through these points. If the last point repeats the first one, it is dropped and the
+/// piece is closed; other lines are closed if `close` is true.
 [[nodiscard]] Piece piece_of(std::vector<Point<double>> points, bool close);
 
-/// Whether a piece lies inside an even number of the others (0) or an odd one (1): with the
-/// even-odd rule, the outer outlines of a region and its holes. For closed pieces that do not
-/// cross. O(pieces * points).
+/// For each piece, 0 if it lies inside an even number of the others, 1 if inside an odd number: by
+/// the even-odd rule, an outer outline or a hole. For closed pieces that do not cross. O(pieces *
+/// points).
 [[nodiscard]] std::vector<int> nesting(const std::vector<Piece>& pieces);
 
 /// A text file of points: "x y" or "x,y" a line; an empty line ends a piece, and # begins a

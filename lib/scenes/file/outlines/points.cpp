@@ -12,7 +12,7 @@ namespace dsc::scenes {
 
 namespace {
 
-// By the number of edges on the right of the point.
+// Whether the polygon contains the point, by the number of edges to the right of it.
 bool holds(const std::vector<Point<double>>& polygon, const Point<double>& p) {
     bool inside = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
