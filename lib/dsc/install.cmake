@@ -4,15 +4,15 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Who links the library must compile as it was compiled: -march=native changes the alignment that
-# Eigen allocates with, and fused multiply-adds in its templates would change results.
+# Programs that link the library must be compiled with the same flags: -march=native changes the
+# alignment that Eigen allocates with, and fused multiply-adds in its templates would change results.
 target_compile_options(dsc INTERFACE
     $<INSTALL_INTERFACE:-ffp-contract=off>
     $<INSTALL_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>
     $<INSTALL_INTERFACE:$<$<BOOL:${DSC_NATIVE}>:-march=native>>)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dsc)
-# What is installed of each module, and then exported, is collected when the build is generated.
+# The installed and exported parts of each module are collected when the build is generated.
 install(EXPORT dscTargets NAMESPACE dsc:: DESTINATION ${package_dir})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/dsc-config.cmake.in
     ${CMAKE_CURRENT_BINARY_DIR}/dscConfig.cmake INSTALL_DESTINATION ${package_dir})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The public headers of a module: MODULE/MODULE.h and what it includes of the module, directly or not.
-# Read where they are needed, by `cmake --install` and by the reference pages, so that there is no list
-# to keep. `source` is the folder that holds MODULE/; sets `result`, relative to it.
+# `cmake --install` and the reference pages call this, so that no list has to be maintained. `source` is
+# the folder that holds MODULE/; sets `result`, relative to it.
 cmake_minimum_required(VERSION 3.25)
 function(dsc_public_headers result source module)
     set(headers ${module}/${module}.h)

@@ -8,9 +8,8 @@
 
 namespace dsc {
 
-/// A vector of the plane. It stands in place of Eigen's, which are written number by number and
-/// read as a whole: the processor waits where reading follows writing at once. With Eigen's a foam
-/// takes a quarter more time.
+/// A vector of the plane. Used instead of Eigen's, which are written number by number and read as a
+/// whole: a read right after a write stalls the processor, and a foam takes a quarter more time.
 struct Vector2 {
     double x = 0;
     double y = 0;
@@ -45,8 +44,8 @@ template <class Real>
 }
 [[nodiscard]] inline double norm(const Vector2& a) { return std::sqrt(dot(a, a)); }
 
-/// A matrix of two rows and two columns. Its products are written out as well: Eigen fuses the
-/// additions of its own where the processor can, and the result would depend on that.
+/// A matrix of two rows and two columns. Its products are written out as well: Eigen's use fused
+/// multiply-adds where the processor has them, and the result would depend on that.
 struct Block {
     double xx = 0; ///< first row, first column
     double xy = 0; ///< first row, second column

@@ -122,7 +122,7 @@ struct CurvatureStep {
     }
 };
 
-/// What a call works with. Its memory serves the next one.
+/// The workspace of a call. Later calls reuse its memory.
 struct CurvatureWork {
     CurveNetwork network;
     CurveGraph graph;
@@ -132,8 +132,8 @@ struct CurvatureWork {
     std::vector<Vector2> middle;
 
     /// The displacements of the network in dt, in `first`. One step and two of half the length;
-    /// their errors of first order cancel in twice the one minus the other, which is still damped
-    /// for stiff modes. The step and the first half do not depend on each other.
+    /// their errors of first order cancel in twice the second result minus the first, which still
+    /// damps stiff modes. The step and the first half do not depend on each other.
     void extrapolate(std::span<const KeptArea> kept, double dt, const InShares& in_shares) {
         constexpr std::size_t few = 128; // vertices: they are done before another thread has begun
         const std::span<const Vector2> start = network.positions;
@@ -159,8 +159,8 @@ struct CurvatureWork {
     }
 };
 
-/// The workspace of a call that is over. A call takes it, and makes one of its own while another
-/// thread has it, so that simulations in different threads can share a flow.
+/// A spare workspace from an earlier call. A call takes it, or makes a new one while another thread
+/// has it, so that simulations in different threads can share a flow.
 class SpareWork {
 public:
     SpareWork() = default;

@@ -17,7 +17,7 @@ struct PairCurvature {
     double mobility = 1; ///< as in `CurvatureFlowOptions`
 };
 
-/// What the domain boundary under a phase costs; of the phases that are not named it costs nothing.
+/// The energy of the domain boundary under a phase; 0 for phases that are not listed.
 struct WallEnergy {
     Phase phase = 0;   ///< at the domain boundary
     double energy = 0; ///< per length; only differences matter, so that it may be negative
@@ -38,7 +38,7 @@ struct CurvatureFlowOptions {
     std::vector<PairCurvature> pairs = {}; ///< in any order, each pair once
     /// An interface meets the domain boundary at the contact angle of T. Young, "An essay on the
     /// cohesion of fluids" (1805): through phase a against phase b its cosine is the energy under b
-    /// less that under a, over the tension. Without these it is 90 degrees.
+    /// minus that under a, divided by the tension. Without these it is 90 degrees.
     std::vector<WallEnergy> walls = {};
     /// The curves of each of these phases also move at one speed along their normals, which is
     /// found such that the phase ends every sub-step with this area. An area that differs from the
@@ -47,13 +47,13 @@ struct CurvatureFlowOptions {
 };
 
 /// Curvature flow for `Simulation::step`. Second order along the curve and, where curves are closed
-/// or end on a straight wall at 90 degrees, in time; of order 3/2 in time at junctions and at other
-/// contact angles. The steps may be long: the flow is stable for any, and the driver limits its
-/// sub-steps by the distance that a vertex moves, so that they are proportional to the edge length
-/// where curves are smooth. Curves at junctions then move a little too slowly: a lens of width w
-/// loses its area too slowly by 0.18, 0.06 and 0.02 % if all tensions are equal, and by 1.1, 0.4
-/// and 0.14 % if that of the line through it is 1.6 times the others, in steps of w^2 / 320, w^2 /
-/// 640 and w^2 / 1280 (tension and mobility 1).
+/// or end on a straight side of the domain at 90 degrees, in time; of order 3/2 in time at
+/// junctions and at other contact angles. The steps may be long: the flow is stable for any, and
+/// the driver limits its sub-steps by the distance that a vertex moves, so that they are
+/// proportional to the edge length where curves are smooth. Curves at junctions then move a little
+/// too slowly: a lens of width w loses its area too slowly by 0.18, 0.06 and 0.02 % if all tensions
+/// are equal, and by 1.1, 0.4 and 0.14 % if that of the line through it is 1.6 times the others, in
+/// steps of w^2 / 320, w^2 / 640 and w^2 / 1280 (tension and mobility 1).
 ///
 /// Each step is linear in the new positions, with the lengths of the old ones: G. Dziuk, "An
 /// algorithm for evolutionary surfaces" (1990), with lumped masses. Junctions are moved by the
@@ -63,14 +63,14 @@ struct CurvatureFlowOptions {
 /// along them without drag, and share the stretch. One step and two of half the length are
 /// extrapolated to second order in time. Curves that end at the domain boundary slide along it and
 /// meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
-/// start becomes smooth at once: with `interface.feature_degrees` 180 its corners are not kept,
-/// which would stand in a junction's way.
+/// start becomes smooth at once; set `interface.feature_degrees` to 180, or its corners are kept as
+/// features, which block junctions.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
 /// allocates. The threads of the step share the curves between junctions, and the step and the two
-/// halves; what is done for the junctions and pressures of one of them, one thread does alone. The
-/// function has no memory: simulations in several threads may share it. Throws InputError if an
-/// option is out of range.
+/// halves; the junctions and pressures of each of these are solved for by one thread. The function
+/// has no memory: simulations in several threads may share it. Throws InputError if an option is
+/// out of range.
 template <class Real>
 [[nodiscard]] InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options = {});
 

@@ -11,7 +11,7 @@ namespace {
 
 /// More shares than most machines have cores: curves, and with them shares, differ in length.
 constexpr std::size_t max_shares = 8;
-/// Vertices of a share at least: about ten microseconds of work.
+/// The smallest number of vertices in a share: about ten microseconds of work.
 constexpr std::size_t min_of_share = 256;
 
 } // namespace
@@ -28,7 +28,7 @@ void CurveGraph::begin(const CurveNetwork& network) {
     find_curves();
 }
 
-// A vertex that has not just two edges counts as a junction.
+// A vertex with more or fewer than two edges counts as a junction.
 void CurveGraph::find_sides() {
     const std::size_t n = network_->positions.size();
     degree_.assign(n, 0);
@@ -81,8 +81,8 @@ std::uint32_t CurveGraph::far_end(std::uint32_t edge, std::uint32_t vertex) cons
     return e.from == vertex ? e.to : e.from;
 }
 
-// Along the curve that leaves the anchor by this edge, to its other anchor. The curve ends its
-// share if that has vertices enough.
+// Follows the curve that leaves the anchor by this edge, to its other anchor. Ends the share after
+// it if that has enough vertices.
 void CurveGraph::follow(std::uint32_t anchor, std::uint32_t edge) {
     NetworkCurve curve{.begin = places_.size(),
                        .end = 0,

@@ -20,7 +20,7 @@ struct CurveNetwork;
 struct CurvePart {
     std::span<const std::uint32_t> vertices;
     std::span<const std::uint32_t> edges; ///< all that the vertices have
-    bool are_junctions = false;           ///< the vertices; otherwise none of them is one
+    bool are_junctions = false;           ///< whether all vertices are junctions; otherwise none is
 };
 
 /// An edge as seen from one of its ends.
@@ -45,12 +45,12 @@ struct NetworkCurve {
     bool is_loop;
 };
 
-/// A network taken apart: each curve goes from junction to junction, or is closed and cut at one of
-/// its vertices. Between its anchors no curve depends on another, so that threads share the curves.
-/// One object serves many networks, one after the other, and reuses its memory.
+/// A network divided into curves: each runs from junction to junction, or is closed and cut at one
+/// of its vertices. Between its anchors no curve depends on another, so that threads share the
+/// curves. One object serves many networks, one after the other, and reuses its memory.
 class CurveGraph {
 public:
-    /// Takes a network apart, which must live as long as the graph is used. O(vertices and edges).
+    /// Divides a network, which must live as long as the graph is used. O(vertices and edges).
     void begin(const CurveNetwork& network);
 
     [[nodiscard]] const CurveNetwork& network() const { return *network_; }
@@ -65,7 +65,7 @@ public:
     /// Calls `task(share)` for each share of the curves, on several threads.
     template <class Task>
     void for_each_share(const InShares& in_shares, const Task& task) const;
-    /// Calls `visit(c)` for each curve, of which `c` is the place, in the shares.
+    /// Calls `visit(c)` for each index `c` of a curve, share by share.
     template <class Visit>
     void for_each_curve(const InShares& in_shares, const Visit& visit) const {
         for_each_share(in_shares, [&](std::size_t share) {
@@ -76,15 +76,16 @@ public:
     }
     /// The curves in a share. No other share has any of their vertices.
     [[nodiscard]] CurvePart part(std::size_t share) const;
-    /// Where they begin and end among all curves.
+    /// The range of the share's curves among all curves.
     [[nodiscard]] std::pair<std::size_t, std::size_t> curves_of(std::size_t share) const {
         return {ends_[share].curves, ends_[share + 1].curves};
     }
-    /// What no share has, with edges in the order of the network.
+    /// The junctions, which are in no share, with their edges in the order of the network.
     [[nodiscard]] CurvePart junctions() const { return {junctions_, arms_, true}; }
-    /// Whether it counts as a junction: as one of the network, or without just two edges.
+    /// Whether a vertex counts as a junction: as one of the network, or with more or fewer than two
+    /// edges.
     [[nodiscard]] bool is_junction(std::uint32_t vertex) const { return number_[vertex] != no_id; }
-    /// The place of a junction among all of them.
+    /// The index of a junction among all junctions.
     [[nodiscard]] std::uint32_t number(std::uint32_t junction) const { return number_[junction]; }
 
 private:

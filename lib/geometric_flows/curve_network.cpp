@@ -13,9 +13,9 @@ namespace {
 /// Edges are taken to be at least this long, so that the matrix stays finite where two vertices of
 /// an intermediate stage coincide. Its square is still a normal number.
 constexpr double shortest_edge = 1e-150;
-/// The same in a step, relative to how far curvature reaches in it. The drag of a piece whose
-/// edges are so short is 1e-12 of their stiffness, and the piece collapses to its centre. A drag
-/// below the rounding error, 1e-16, would leave the matrix without an inverse, and hold all curves.
+/// The same in a step, relative to how far curvature reaches in it. The drag of a piece whose edges
+/// are so short is 1e-12 of their stiffness, and the piece collapses to its centre. A drag below
+/// the rounding error, 1e-16, would make the matrix singular, and stop all curves.
 constexpr double shortest_share = 1e-6;
 
 double length_of(const CurveEdge& edge, std::span<const Vector2> positions, double shortest) {
@@ -40,8 +40,8 @@ constexpr Freedom nowhere{0, 0, 0};
 
 Freedom rest_of(const Freedom& one) { return anywhere + -1.0 * one; }
 
-/// The drag along a curve between junctions, relative to that across it: enough to tell where a
-/// piece is that has collapsed onto a straight line.
+/// The drag along a curve between junctions, relative to that across it: enough to determine the
+/// position of a piece that has collapsed onto a straight line.
 constexpr double drag_along = 1e-9;
 
 } // namespace
@@ -112,8 +112,8 @@ Freedom CurveSystem::Drag::across() const {
 //
 // The tension of an edge that is stretched in the step grows with its length. If the vertices of a
 // curve resisted motion along it, a junction that slides would stretch those next to it alone, and
-// not balance its tensions: an error of the order of sqrt(dt). Without, all of the curve stretches
-// alike, which is an error of the order of dt.
+// not balance its tensions: an error of the order of sqrt(dt). Without resistance, the whole curve
+// stretches evenly, which is an error of the order of dt.
 void CurveSystem::assemble(const CurvePart& part, std::span<const Vector2> positions, double dt,
                            std::span<Vector2> forces) {
     const CurveNetwork& network = graph_->network();

@@ -32,7 +32,7 @@ struct Freedom {
     double xy = 0;
     double yy = 1;
 
-    /// In all of them, as nearly always.
+    /// Whether it can move in all directions, as nearly always.
     [[nodiscard]] bool is_full() const { return xx == 1 && yy == 1; }
     [[nodiscard]] Vector2 of(const Vector2& p) const {
         return {xx * p.x + xy * p.y, xy * p.x + yy * p.y};
@@ -55,8 +55,8 @@ struct CurveNetwork {
     std::vector<EndForce> ends;           ///< those that are not zero
 };
 
-/// Makes the network anew, in its memory. `forces_of(left, right)` is asked for each edge between
-/// two phases; edges of the domain boundary get a tension that is negligible, and no drag: their
+/// Builds the network, reusing its memory. Calls `forces_of(left, right)` for each edge between two
+/// phases; edges of the domain boundary get a tension that is negligible, and no drag: their
 /// vertices spread evenly between the curves that arrive there. `wall_energy(phase)` is the energy
 /// per length of the boundary under a phase, which pulls at the ends of curves. O(interface).
 template <class Real, class ForcesOf, class WallEnergy>
@@ -71,12 +71,12 @@ template <class Real>
 /// Implicit Euler steps of one network after the other. Reuses its memory.
 class CurveSystem {
 public:
-    /// Takes up a network, which must live as long as steps of it are made. O(edges).
+    /// Begins with a network, which must live as long as steps of it are made. O(edges).
     void begin(const CurveGraph& graph);
     /// The displacements in a time dt of vertices that are at `positions`; NaN where the system
-    /// cannot be solved. With rows, pressures act during the step: the areas that they hold gain to
-    /// first order what the rows say. Uses up the rows. O(vertices), and a sparse solution for the
-    /// junctions and pressures.
+    /// cannot be solved. With rows, pressures act during the step, so that their areas gain, to
+    /// first order, what the rows ask for. Overwrites the rows. O(vertices), and a sparse solution
+    /// for the junctions and pressures.
     void step(std::span<const Vector2> positions, double dt, const InShares& in_shares,
               std::vector<Vector2>& displacements, const PressureRows& rows = {});
 

@@ -21,10 +21,10 @@ Block inverse_of(const Block& block) {
     return {block.yy * scale, -block.xy * scale, -block.yx * scale, block.xx * scale};
 }
 
-/// Areas are taken to yield to their pressures by this share more than they do, and by as much of
-/// what their junctions let them: no pivot is zero then, whether only junctions surround a phase,
-/// or the areas of some phases always have the same sum. What is lost of an area by that is shifted
-/// back.
+/// Regularisation: areas are assumed to respond to their pressures by this share more than they do,
+/// and by the same share of their response through junctions. No pivot is then zero, even if only
+/// junctions surround a phase, or the areas of some phases always have the same sum. A shift
+/// afterwards corrects the areas.
 constexpr double softness = 1e-8;
 
 } // namespace

@@ -36,12 +36,13 @@ struct PressureRows {
 /// many networks, one after the other, and reuses its memory. Its result does not depend on
 /// threads: what curves leave at a junction is added up in one order, by the caller.
 ///
-/// To solve is to eliminate and to reduce each share, then to factorise the junctions, and to
-/// finish. `diagonal` has the block of each vertex, `coupling` that of each edge: rows of its first
-/// vertex, columns of its second. There is one column a vertex, solved for in place.
+/// To solve, eliminate and reduce each share, then factorise the junctions, then finish. `diagonal`
+/// has the block of each vertex, `coupling` that of each edge: rows of its first vertex, columns of
+/// its second. There is one column a vertex, solved for in place.
 class CurveSolver {
 public:
-    /// Takes up a graph, which must live as long as it is solved for. O(1), but for memory.
+    /// Begins with a graph, which must live as long as it is solved for. O(1), except for
+    /// allocation.
     void begin(const CurveGraph& graph);
 
     /// Eliminates the curves of a share. Reads no block of a junction. O(vertices).
@@ -51,7 +52,8 @@ public:
     void reduce(std::size_t share, std::span<Vector2> columns);
     /// The same for pressures, whose columns and anchors' pushes it changes. O(vertices).
     void reduce(std::size_t share, std::span<const Vector2> columns, const PressureRows& rows);
-    /// Of what is left when all shares are reduced: a sparse factorisation. No rows: no pressures.
+    /// Factorises the sparse system of the junctions, after all shares are reduced. No rows: no
+    /// pressures.
     void factorise_junctions(std::span<const Block> diagonal, const PressureRows& rows = {});
     /// Solves for columns that are reduced in all shares. A closed curve without a solution becomes
     /// NaN; so do all other vertices where the curves between junctions have none. O(vertices).
@@ -59,13 +61,13 @@ public:
                 const PressureRows& rows = {});
 
 private:
-    /// Of a vertex between two anchors.
+    /// The factors of a vertex between two anchors.
     struct Factor {
-        Block inverse{};   ///< of what is left of its block
+        Block inverse{};   ///< of its block after elimination
         Block to_before{}; ///< block with the vertex before
         Block to_first{};  ///< block with the first anchor
     };
-    /// What a curve leaves at its anchors, and at pressures.
+    /// The contributions of a curve to its anchors and to pressures.
     struct Remainder {
         Block to_last{}; ///< block of its last vertex with the last anchor
         Block at_first{};
@@ -73,7 +75,7 @@ private:
         Block across{};      ///< rows of the last one
         Block cut_inverse{}; ///< of a loop
         double yielding = 0; ///< what the curve gains by itself for a unit of pressure
-        double gained = 0;   ///< what it gains without
+        double gained = 0;   ///< what it gains without pressure
     };
 
     void eliminate_curve(std::size_t curve, std::span<const Block> diagonal,
@@ -86,7 +88,7 @@ private:
     const CurveGraph* graph_ = nullptr;
     std::vector<Factor> factors_;  ///< by place
     std::vector<Remainder> rests_; ///< by curve
-    std::vector<Vector2> to_from_; ///< by place: what it takes from the column of `from`
+    std::vector<Vector2> to_from_; ///< by place: what is subtracted from the column of `from`
     std::vector<Block> left_;      ///< diagonal blocks of the junctions
     std::vector<double> yielding_; ///< of pressures
     std::vector<Eigen::Triplet<double>> entries_;

@@ -18,7 +18,7 @@ std::string pair_name(const GrowthSpeed& pair) {
     return std::to_string(pair.growing) + " into " + std::to_string(pair.into);
 }
 
-// A vertex between two rays of the same corner lies on a ray between them; any other is in no fan.
+// A vertex between two rays of the same feature lies on a ray between them; any other is in no fan.
 template <class Real>
 FanRay<Real> ray_between(const FanRay<Real>& a, const FanRay<Real>& b, double /*fraction*/) {
     FanRay<Real> ray;
@@ -40,16 +40,16 @@ Point<Real> right_of(const Point<Real>& tangent) {
     return {tangent.y(), -tangent.x()};
 }
 
-// The algorithm whose passes open corners has added them.
+// The rays, which `growth_algorithm` has added.
 template <class Real>
 const VertexAttribute<FanRay<Real>>& rays_of(const Complex<Real>& complex) {
     const auto* const rays = fan_rays(complex);
     if (rays == nullptr) {
-        throw InputError(
-            {.what = "growth without the passes that open corners",
-             .where = "growth",
-             .value = "a complex that growth_algorithm was not called with",
-             .allowed = "an executor whose algorithm is growth_algorithm(complex, options)"});
+        throw InputError({.what = "growth needs an executor made with growth_algorithm",
+                          .where = "growth",
+                          .value = "a complex without its rays",
+                          .allowed = "make_executor(..., growth_algorithm(complex, options)); in "
+                                     "Python, dsc.Simulation(mesh, flow, ...)"});
     }
     return *rays;
 }
@@ -113,13 +113,13 @@ private:
     [[nodiscard]] Point<Real> of_feature(std::size_t i, Real speed) const {
         const Point<Real> in = tangent_to(i, view_.previous[i]);
         const Point<Real> out = -tangent_to(i, view_.next[i]);
-        // Sheets that move apart leave an arc behind, for which the pass makes a fan.
+        // Sheets that move apart leave an arc between them, for which the pass makes a fan.
         return cross<Real>(in, out) * speed > 0 ? Point<Real>(speed * normal(view_, i))
                                                 : of_notch(right_of(in), right_of(out), speed);
     }
 
-    // The velocity v with v.n = speed for the normal n of each sheet, in the sense of least
-    // squares; along the domain boundary on the domain boundary.
+    // The least-squares velocity v with v.n = speed for the normal n of each sheet; along the
+    // domain boundary for a vertex there.
     [[nodiscard]] Point<Real> of_junction(std::size_t i) const {
         Point<Real> x = Point<Real>::Zero(); // the rows of the normal equations
         Point<Real> y = Point<Real>::Zero();
@@ -150,7 +150,7 @@ private:
             velocity = {cross<Real>(right, Point<Real>(x.y(), y.y())) / determinant,
                         cross<Real>(Point<Real>(x.x(), y.x()), right) / determinant};
         } else {
-            velocity = right; // one sheet, or a straight one
+            velocity = right; // a single sheet, or a straight line
         }
         const Real size = velocity.norm();
         const Real most = static_cast<Real>(options_.max_notch) * fastest;
@@ -182,7 +182,7 @@ void check_growth(const GrowthOptions<Real>& options) {
         for (std::size_t k = 0; k < i; ++k) {
             const GrowthSpeed& other = options.speeds[k];
             if (std::minmax(pair.growing, pair.into) == std::minmax(other.growing, other.into)) {
-                throw InputError({.what = "a pair of phases with two speeds",
+                throw InputError({.what = "two speeds for one pair of phases",
                                   .where = "growth.speeds",
                                   .value = pair_name(pair),
                                   .allowed = "each pair once"});
@@ -241,7 +241,8 @@ VertexAttribute<FanRay<Real>>& add_fan_rays(Complex<Real>& complex) {
 
 template <class Real>
 Point<Real> end_tangent(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
-    constexpr Real straight_enough = Real(0.82); // cosine of 35 degrees: beyond, b is a corner
+    constexpr Real straight_enough = Real(0.82); // cosine of 35 degrees: where the sheet turns by
+                                                 // more, b is a feature
     const Point<Real> chord = c - b;
     const Real length = chord.norm();
     if (!(length > 0)) {

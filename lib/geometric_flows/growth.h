@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Growth and shrinkage along the normal by the principle of Huygens: the interface at a later time
-// is the envelope of circles about all of its points. Where the side that is left behind sees a
-// convex corner, the corner opens into an arc; where two sheets run into each other, they keep
-// meeting in a sharp notch.
+// is the envelope of circles about all of its points. A feature that is convex towards the side it
+// moves to opens into an arc; two sheets that run into each other keep meeting in a sharp notch.
 //
-// Normals alone do neither: the arc starts from one point, and what is inserted there later lies
-// beside it. So a pass (growth_features.h) puts a fan of vertices at the corner,
-// each with a direction of its own, and the flow moves each along its ray: a characteristic of the
-// eikonal equation (J. A. Sethian, "Curvature and the evolution of fronts", 1985).
+// Normals alone do neither: an arc starts from one point, and vertices inserted there later lie
+// beside it. So a pass (growth_features.h) puts a fan of vertices at the feature, each with its own
+// direction, and the flow moves each along its ray: a characteristic of the eikonal equation (J. A.
+// Sethian, "Curvature and the evolution of fronts", 1985).
 #pragma once
 
 #include "dsc/motion/interface_flow.h"
@@ -27,24 +26,24 @@ struct GrowthSpeed {
 template <class Real>
 using GrowthFactor = std::function<Real(const Point<Real>& place, Real time)>;
 
-/// Speeds by pairs of phases, and how corners are treated.
+/// Speeds by pairs of phases, and how features are treated.
 template <class Real>
 struct GrowthOptions {
     std::vector<GrowthSpeed> speeds; ///< interfaces between other phases stay
     GrowthFactor<Real> factor = {};  ///< none: 1
 
-    double open_degrees = 30; ///< corners that turn by more open into a fan...
+    double open_degrees = 30; ///< features that turn by more open into a fan...
     double fan_degrees = 25;  ///< ...whose edges turn by at most this much
     /// Sheets that run into each other and turn by more than this meet in a notch, which is a
-    /// corner from then on...
+    /// feature from then on...
     double notch_degrees = 40;
     double smooth_degrees = 15; ///< ...until it turns by less than this
-    /// A notch moves by at most this times the speed: a sharp one would leave its mesh behind.
+    /// A notch moves by at most this times the speed: a very sharp one would outrun its mesh.
     double max_notch = 4;
 };
 
-/// Throws InputError if a value is not finite or out of range, a pair of phases is named twice, or
-/// is no pair.
+/// Throws InputError if a value is not finite or out of range, a pair of phases is named twice or
+/// has twice the same phase.
 template <class Real>
 void check_growth(const GrowthOptions<Real>& options);
 
@@ -54,25 +53,25 @@ template <class Real>
 [[nodiscard]] Real growth_speed(const GrowthOptions<Real>& options, Phase left, Phase right,
                                 const Point<Real>& place, Real time);
 
-/// What becomes of a vertex of a fan.
+/// The state of a vertex of a fan.
 enum class FanState : std::uint8_t {
     none,     ///< in no fan
-    opening,  ///< on its way from beside the corner
+    opening,  ///< moving from beside the feature to its ray
     inserted, ///< new, between two vertices of a fan; not on the arc yet
     open,     ///< on its ray
-    closing,  ///< on its way to where the sheets will meet again
+    closing,  ///< moving to where the sheets will meet again
 };
 
 /// The ray of a vertex of a fan.
 template <class Real>
 struct FanRay {
-    Point<Real> source = Point<Real>::Zero(); ///< the corner
+    Point<Real> source = Point<Real>::Zero(); ///< the feature
     /// Unit vector from the left phase to the right; `closing`: the velocity.
     Point<Real> direction = Point<Real>::Zero();
-    float start = 0;    ///< how far along its ray the vertex was when the corner opened
+    float start = 0;    ///< how far along its ray the vertex was when the feature opened
     float to_first = 0; ///< angle from its ray to the first one along the curve, in radians
     float to_last = 0;  ///< to the last one
-    FanState state = FanState::none; ///< where the vertex is on its way
+    FanState state = FanState::none; ///< the stage of its movement
 };
 
 template <class Real>
@@ -81,7 +80,7 @@ void archive(Archive& archive, FanRay<Real>& ray) {
     archive.choice(ray.state, 5);
 }
 
-/// Whether both start from one corner.
+/// Whether both start from one feature.
 template <class Real>
 [[nodiscard]] bool belong_together(const FanRay<Real>& a, const FanRay<Real>& b) {
     return a.state != FanState::none && b.state != FanState::none && a.source == b.source;
@@ -93,7 +92,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] const VertexAttribute<FanRay<Real>>* fan_rays(const Complex<Real>& complex);
 
-/// Adds them if there are none yet. O(vertices).
+/// Adds the rays if there are none yet. O(vertices).
 template <class Real>
 VertexAttribute<FanRay<Real>>& add_fan_rays(Complex<Real>& complex);
 
@@ -103,12 +102,12 @@ template <class Real>
 [[nodiscard]] Point<Real> end_tangent(const Point<Real>& a, const Point<Real>& b,
                                       const Point<Real>& c);
 
-/// The flow, for a simulation whose algorithm is `growth_algorithm`. Only its passes open corners,
-/// so a step throws InputError where the complex has no rays: that algorithm adds them. A junction
-/// moves as closely as it can with all sheets that meet there; on the domain boundary it slides
-/// with them. Second order in the edge length; first order beside corners that have opened where
-/// the speed depends on the place, as the rays of a fan bend there and are given up early. O(1) for
-/// a vertex, O(arms) for a junction. Throws InputError if the options make no sense. Safe to call
+/// The flow, for a simulation whose algorithm is `growth_algorithm`, whose passes open features. A
+/// step throws InputError if the complex lacks the rays that this algorithm adds. A junction moves
+/// as closely as it can with all sheets that meet there; on the domain boundary it slides with
+/// them. Second order in the edge length; first order beside opened features where the speed
+/// depends on the place, since the rays of a fan bend there and are given up early. O(1) for a
+/// vertex, O(arms) for a junction. Throws InputError if an option is out of range. Safe to call
 /// from several threads.
 template <class Real>
 [[nodiscard]] InterfaceFlow<Real> growth(const GrowthOptions<Real>& options);

@@ -21,7 +21,7 @@ struct GrowthBend {
     bool known = false; ///< false at junctions, and on the domain boundary
 };
 
-/// The corner of a star. O(degree).
+/// The bend at the centre of a star. O(degree).
 template <class Real>
 [[nodiscard]] GrowthBend<Real> bend_of(const Star<Real>& star, const GrowthOptions<Real>& options,
                                        Real time) {
@@ -44,7 +44,7 @@ template <class Real>
 }
 
 /// Whether both edges are longer than that. Shorter ones may turn sharply for a while, until
-/// remeshing has removed them: such a turn is no corner.
+/// remeshing has removed them: such a turn is no feature.
 template <class Real>
 [[nodiscard]] bool has_longer_edges(const GrowthBend<Real>& bend, Real length) {
     return (bend.from - bend.at).squaredNorm() > length * length &&
@@ -60,7 +60,7 @@ template <class Real>
             sine * direction.x() + cosine * direction.y()};
 }
 
-/// How far the vertex of a ray has come along it: positive where the left phase has grown.
+/// How far the vertex of a ray has moved along it: positive where the left phase has grown.
 template <class Real>
 [[nodiscard]] Real along(const FanRay<Real>& ray, const Point<Real>& at) {
     const Real reached = (at - ray.source).dot(ray.direction);

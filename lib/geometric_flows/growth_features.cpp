@@ -20,10 +20,10 @@ namespace {
 
 // In edge lengths.
 constexpr double beside = 0.05; // between the vertices of a fan at the start
-constexpr double roomy = 0.25;  // the radius at which they go to their rays
-constexpr double grown = 1.5;   // the radius from which on a fan looks after itself
+constexpr double roomy = 0.25;  // the radius at which they move to their rays
+constexpr double grown = 1.5;   // the radius from which on a fan may dissolve
 constexpr double margin = 0.1;  // of a notch's way, to what it is about to run over
-constexpr double bulge = 0.2;   // the most that the curve may move where that is taken away
+constexpr double bulge = 0.2;   // the most that the curve may move where that vertex is removed
 constexpr double stray = 1e-3;  // a vertex farther from its ray than this leaves the fan
 constexpr std::uint32_t max_members = 32;
 
@@ -37,7 +37,7 @@ public:
           smooth_(radians(options.smooth_degrees)) {}
 
     void run() {
-        // What is new here is seen to in the next sub-step.
+        // Vertices created here are visited in the next sub-step.
         for (const std::uint32_t v : work_.interface) {
             visit(v);
         }
@@ -92,7 +92,7 @@ private:
 
     // --- notches ------------------------------------------------------------------------------
     [[nodiscard]] bool is_feature(std::uint32_t v) const { return complex_.is_feature(Vertex{v}); }
-    // What another submesh owns may be becoming one.
+    // A vertex of another submesh may become a feature at this moment.
     [[nodiscard]] bool may_be_feature(std::uint32_t v) const {
         return !owns(complex_, work_.submesh.region, v) || is_feature(v);
     }
@@ -110,15 +110,15 @@ private:
         return std::min(std::abs(speed) * work_.dt, lengths(work_.options.sub_step));
     }
 
-    // How far a notch comes along its sheets in this sub-step; it moves by the sub-step's most.
+    // How far a notch moves along its sheets in this sub-step, whose largest move limits it.
     [[nodiscard]] Real reach(const GrowthBend<Real>& notch) const {
         const Real half = std::abs(notch.turn) / 2;
         const Real most = lengths(work_.options.sub_step) * std::cos(half);
         return (std::min(way(notch.speed), most) + lengths(margin)) * std::tan(half);
     }
 
-    // Whether the vertex was in the way of a notch at the end of one of its edges, and has gone.
-    // True as well where only another submesh can tell.
+    // Whether the vertex was in the way of a notch at the end of one of its edges and has been
+    // removed. Also true if only another submesh can tell.
     bool is_run_over(const Star<Real>& star, const GrowthBend<Real>& bend,
                      std::uint32_t incident_edge, std::uint32_t other) {
         const std::uint32_t u = star.link[incident_edge];
@@ -155,7 +155,7 @@ private:
     }
 
     // --- fans ---------------------------------------------------------------------------------
-    // The normal at the corner of the sheet on one side. False if only another submesh sees it.
+    // The normal at the feature of the sheet on one side. False if another submesh owns part of it.
     bool sheet_normal(const Star<Real>& star, const GrowthBend<Real>& bend,
                       std::uint32_t incident_edge, Point<Real>& normal) {
         Star<Real>& next_star = work_.other_star;
@@ -199,7 +199,7 @@ private:
             work_.deferred.remeshing(v);
             return;
         }
-        // In the order of the curve.
+        // The members of the fan, in the order of the curve.
         std::array<std::uint32_t, max_members> members{};
         std::uint32_t count = 0;
         const std::uint32_t in = star.link[bend.in];
@@ -295,15 +295,16 @@ private:
         }
     }
 
-    // A fan that would vanish in this sub-step. The sheets meet in a notch at its end, on the other
-    // side of the source: there the last vertex goes, and the others to places close to it on the
-    // first sheet, from which they can be removed at no cost.
+    // Closes a fan that would vanish in this sub-step. The sheets meet in a notch on the other side
+    // of the source: the last vertex moves there, and the others to places close to it on the first
+    // sheet, from where they can be removed without harm.
     void close(const Star<Real>& star, const GrowthBend<Real>& bend, bool is_inside) {
         FanRay<Real>& ray = rays_[Vertex{star.vertex}];
         const Real radius = along(ray, bend.at);
         const Real time = way(bend.speed) / std::abs(bend.speed);
         const Real left = std::abs(radius) - lengths(margin);
-        // What lies inside gets a second chance to go, as its star may not allow it at first.
+        // A vertex inside the fan gets a second chance to be removed, as its star may not allow it
+        // at first.
         if (is_inside && left < 2 * way(bend.speed) &&
             (collapse_into(star, bend.in) || collapse_into(star, bend.out))) {
             return;

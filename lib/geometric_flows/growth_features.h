@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The corners of an interface that grows along its normal (growth.h): fans where they open,
+// The features of an interface that grows along its normal (growth.h): fans where they open,
 // notches where sheets run into each other.
 #pragma once
 
@@ -8,15 +8,16 @@
 
 namespace dsc {
 
-/// A pass of remeshing, to run after that of the interface. At corners that open it puts a fan of
-/// vertices: beside the corner at first, on their rays as soon as there is room. What remeshing
-/// inserts between two of them it puts on the arc. It marks notches as corners, and takes away
-/// what a notch is about to run over. Where the flow has turned round and a fan has shrunk to less
-/// than a sub-step, it makes it a notch again. O(interface vertices). Expects `add_fan_rays`.
+/// A pass of remeshing, to run after that of the interface. At a feature that opens it puts a fan
+/// of vertices: beside the feature at first, on their rays as soon as there is room. It puts
+/// vertices that remeshing inserts between two of them on the arc. It marks notches as features,
+/// and removes vertices that a notch is about to run over. If the flow has turned round and a fan
+/// has shrunk to less than a sub-step, the fan becomes a notch again. O(interface vertices).
+/// Expects `add_fan_rays`.
 template <class Real>
 [[nodiscard]] Pass<Real> growth_features(const GrowthOptions<Real>& options);
 
-/// The default algorithm and that pass; adds what it keeps to the complex:
+/// The default algorithm and that pass; adds the attribute of rays to the complex:
 ///
 ///     const GrowthOptions<double> options{.speeds = {{1, 0, 1.0}}};
 ///     Simulation<double> simulation(
@@ -24,7 +25,7 @@ template <class Real>
 ///                                         growth_algorithm(complex, options)));
 ///     simulation.step(growth(options), time, dt);
 ///
-/// Throws InputError if the options make no sense, or name a phase that the complex does not have.
+/// Throws InputError if an option is out of range or names a phase that the complex does not have.
 /// O(n), once.
 template <class Real>
 [[nodiscard]] Algorithm<Real> growth_algorithm(Complex<Real>& complex,

@@ -36,8 +36,8 @@ std::array<Phase, 2> phases_beside(const CurveGraph& graph, const NetworkCurve& 
                                : std::array{last.right, last.left};
 }
 
-/// Those of the phases whose areas can be kept. A phase that is absent or locked has none that
-/// could change; where all phases are kept, the last one follows from the others.
+/// The phases whose areas can be kept. The area of a phase that is absent or locked cannot change;
+/// where all phases are kept, the last area follows from the others.
 std::vector<KeptArea> changeable(const CurveGraph& graph, std::span<const KeptArea> kept) {
     const CurveNetwork& network = graph.network();
     const auto can_move = [&](std::uint32_t i) {
@@ -156,8 +156,8 @@ void AreaKeeper::push(std::size_t curve, std::span<const Vector2> places, bool w
     strands_[curve] = strand;
 }
 
-// Relative to where a vertex began, so that an offset of all costs no digits. Where that vertex is
-// now would not do: another thread may be moving it.
+// Relative to the initial position of a vertex, so that an offset of all coordinates costs no
+// digits. Its present position would not do: another thread may be moving it.
 double AreaKeeper::area_of(std::size_t curve, std::span<const Vector2> places) const {
     double doubled = 0;
     for_each_edge(*graph_, graph_->curves()[curve],
@@ -210,7 +210,7 @@ bool AreaKeeper::look(std::span<const Vector2> positions, std::span<const Vector
     });
     find_missing();
     constexpr double rounding = 1e-6;
-    pressures_.assign(kept_.size(), 0.0); // first what may be missing
+    pressures_.assign(kept_.size(), 0.0); // first as scratch: bounds on the missing areas
     for (std::size_t c = 0; c < strands_.size(); ++c) {
         for (const int place : {pushes_[c].left, pushes_[c].right}) {
             if (place >= 0) {
@@ -225,11 +225,12 @@ bool AreaKeeper::look(std::span<const Vector2> positions, std::span<const Vector
     return holds;
 }
 
-// --- what is left over ---------------------------------------------------------------------------
+// --- the remaining error
+// ---------------------------------------------------------------------------
 
-// What pressures do without tension: vertices move along the gradients of the areas, as far as they
-// are free to, and the less the more drag they have. Curves that meet at a junction move it
-// together. False if the pressures cannot be found.
+// Factorises the response to pressures without tension: vertices move along the gradients of the
+// areas, as far as they are free to, and less with more drag. Curves that meet at a junction move
+// it together. False if there is no solution.
 bool AreaKeeper::prepare() {
     entries_.clear();
     const auto add = [&](int row, int column, double value) {

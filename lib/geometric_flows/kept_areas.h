@@ -12,25 +12,25 @@
 
 namespace dsc {
 
-/// The pressures in the phases of one network after the other that give them their areas: one
-/// pressure for each phase moves all of its curves along their normals. Reuses its memory.
+/// Finds the pressures that give phases their areas, for one network after the other: one pressure
+/// for each phase moves all of its curves along their normals. Reuses its memory.
 class AreaKeeper {
 public:
-    /// Takes up a network, which must live as long as areas in it are kept. `kept` is sorted by
+    /// Begins with a network, which must live as long as areas in it are kept. `kept` is sorted by
     /// phase. O(vertices and edges, curves log phases).
     void begin(const CurveGraph& graph, std::span<const KeptArea> kept);
 
-    /// What pressures do during a step from these positions; empty where no area is to be kept.
+    /// The rows of the pressures for a step from these positions; empty if no area is to be kept.
     /// O(edges).
     PressureRows rows(std::span<const Vector2> positions, const InShares& in_shares);
-    /// Looks at where displacements lead. Whether pressures have held the areas to first order:
-    /// what is missing is of second order in the displacements. It is not where areas contradict
-    /// each other. O(edges).
+    /// Measures the areas after displacements. Returns whether pressures have held them to first
+    /// order, so that the errors are of second order in the displacements; they do not if areas
+    /// contradict each other. O(edges).
     bool look(std::span<const Vector2> positions, std::span<const Vector2> displacements,
               const InShares& in_shares);
-    /// Adds to the displacements that were looked at last what gives each phase its area to
-    /// rounding. Little has to be missing: vertices move by the shortest way, without tension.
-    /// O(edges), and a sparse factorisation for the phases.
+    /// Corrects the displacements measured last so that each phase has its area up to rounding. The
+    /// errors must be small: vertices move by the shortest way, without tension. O(edges), and a
+    /// sparse factorisation for the phases.
     void shift(std::span<Vector2> displacements, const InShares& in_shares);
 
 private:
@@ -41,7 +41,7 @@ private:
         bool is_last; ///< the last anchor of the curve
         friend auto operator<=>(const Arm&, const Arm&) = default;
     };
-    /// What is known of a curve.
+    /// Data of a curve.
     struct Strand {
         double area = 0;         ///< that it adds on its left, and takes on its right
         double second = 0;       ///< at most, of what displacements added of second order
@@ -60,8 +60,8 @@ private:
     [[nodiscard]] double pressure_on(std::size_t curve) const;
 
     const CurveGraph* graph_ = nullptr;
-    Vector2 origin_{};              ///< of areas
-    std::vector<KeptArea> kept_;    ///< those that can be, by phase
+    Vector2 origin_{};              ///< from which areas are measured
+    std::vector<KeptArea> kept_;    ///< those that can be kept, by phase
     std::vector<Arm> arms_;         ///< sorted
     std::vector<CurvePush> pushes_; ///< by curve
     std::vector<Strand> strands_;   ///< by curve

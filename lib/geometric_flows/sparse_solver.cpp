@@ -7,8 +7,8 @@
 
 namespace dsc {
 
-// Values go straight to their places in the ordered matrix. By way of a matrix that the solver
-// orders, to build and to permute it takes as long as to factorise it.
+// Writes values straight to their places in the ordered matrix: to build a matrix and have the
+// solver permute it takes as long as the factorisation.
 bool SparseSolver::factorise(Eigen::Index size, const Entries& entries) {
     if (!has_known_slots(size, entries)) {
         find_slots(size, entries);
@@ -56,7 +56,7 @@ void SparseSolver::find_slots(Eigen::Index size, const Entries& entries) {
     }
 }
 
-// By minimum degree.
+// Finds an ordering by minimum degree.
 void SparseSolver::find_order(const Matrix& lower) {
     const auto whole = lower.selfadjointView<Eigen::Lower>();
     decltype(order_) inverse;

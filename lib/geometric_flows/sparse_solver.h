@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sparse factorisation for matrices that mostly have the pattern of the one before.
+// A sparse factorisation for matrices that mostly have the same pattern as the one before.
 #pragma once
 
 #include <Eigen/Sparse>
@@ -10,19 +10,19 @@
 namespace dsc {
 
 /// Solves with symmetric matrices that have factors without pivots, of which it reads the lower
-/// half. The order of elimination depends on the pattern alone, and is found anew only where that
-/// has changed.
+/// half. The order of elimination depends on the pattern alone, and is computed again only if the
+/// pattern changes.
 class SparseSolver {
 public:
     using Matrix = Eigen::SparseMatrix<double>;
     using Entries = std::vector<Eigen::Triplet<double>>;
 
-    /// Factorises the matrix of these entries, of which those in one place are added. False if it
-    /// has no factors. O(entries), and the factorisation.
+    /// Factorises the matrix of these entries; entries in one place are added. False if it has no
+    /// factors. O(entries), and the factorisation.
     bool factorise(Eigen::Index size, const Entries& entries);
     /// Whether the last factorisation succeeded.
     [[nodiscard]] bool is_solvable() const { return solver_.info() == Eigen::Success; }
-    /// Of the last factorisation, which must have succeeded.
+    /// Solves by the last factorisation, which must have succeeded.
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& column) const {
         return order_.inverse() * solver_.solve(order_ * column).eval();
     }

@@ -111,7 +111,7 @@ std::vector<Edit> read_edits(const std::string& path) {
     std::string line;
     if (!std::getline(file, line) || line != first_line) {
         throw FileError(
-            "is no log of edits: its first line is not '" + std::string(first_line) + "'", path);
+            "not a log of edits: the first line is not '" + std::string(first_line) + "'", path);
     }
     std::vector<Edit> edits;
     while (std::getline(file, line)) {
@@ -128,13 +128,13 @@ std::vector<Edit> read_edits(const std::string& path) {
         }
         Edit edit;
         if (!parse(line, edit)) {
-            throw FileError("line " + std::to_string(edits.size() + 2) + " is no record: '" +
+            throw FileError("line " + std::to_string(edits.size() + 2) + " is not a record: '" +
                                 line.substr(0, 80) + "'",
                             path);
         }
         edits.push_back(edit);
     }
-    throw FileError("ends before its end, after " + std::to_string(edits.size()) + " records",
+    throw FileError("unexpected end of file after " + std::to_string(edits.size()) + " records",
                     path);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Logs of edits: repeated on the complex that they began with, and as text files. With that
-// complex, such a file is the run.
+// Logs of edits: repeated on the complex that they began with, and as text files. Complex and log
+// together reproduce a run.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -16,7 +16,7 @@
 
 namespace dsc {
 
-/// What became of the records.
+/// How many records were repeated.
 struct ReplayReport {
     std::uint64_t done = 0;    ///< records that were repeated
     std::uint64_t skipped = 0; ///< records that name simplices that do not exist
@@ -30,33 +30,32 @@ template <class Real>
 using RepeatEdit = std::function<bool(const Submesh<Real>& submesh, const Edit& edit)>;
 
 /// Repeats the edits without testing whether they are legal: the same simplices with the same ids,
-/// so that handles in later records mean what they meant. A record whose simplices do not exist, or
-/// differ from what the record says, is skipped; in an unbroken log none is. Vertex attributes are
-/// blended as in the run. Whatever reads the journal learns of one `rebuild`. O(edits); O(mesh) for
-/// each `renumber`, and once at the end for the pool of free ids. Throws InputError, and does
-/// nothing, if a log has a `rebuild`, because it does not contain how the other mesh came about, or
-/// a record that `others` would have to repeat, and there is none.
+/// so that handles in later records stay valid. A record whose simplices do not exist, or differ
+/// from what the record says, is skipped; in an unbroken log none is. Vertex attributes are blended
+/// as in the run. Readers of the journal find one `rebuild`. O(edits); O(mesh) for each `renumber`,
+/// and once at the end for the pool of free ids. Throws InputError, and does nothing, if a log has
+/// a `rebuild`, because it does not contain the other mesh, or has a record that needs `others` and
+/// there is no such function.
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
                     const RepeatEdit<Real>& others = {});
 
-/// A text file that edits are written to as they are heard: one record a line,
-/// and at the end how many there are.
+/// A text file to which edits are written as they are reported: one record a line, and at the end
+/// their number.
 ///
 ///     EditFile file("run.edits");
 ///     simulation.add_listener([&](std::span<const Edit> edits) { file.write(edits); });
 ///     ...
 ///     file.commit();
 ///
-/// Until `commit` the file stands beside its place. Throws FileError.
+/// Until `commit` it is a part file beside its destination. Throws FileError.
 class EditFile {
 public:
-    /// Opens the file beside its place.
+    /// Opens the part file.
     explicit EditFile(std::string path);
     /// Appends records.
     void write(std::span<const Edit> edits);
-    /// Writes the number of records, and puts the file in its place. Nothing may be written
-    /// afterwards.
+    /// Writes the number of records, and renames the part file. Nothing may be written afterwards.
     void commit();
 
 private:
@@ -64,11 +63,11 @@ private:
     std::uint64_t count_ = 0;
 };
 
-/// Writes a whole log at once. The file exists as a whole or not at all. Throws FileError.
+/// Writes a whole log at once, atomically. Throws FileError.
 void write_edits(const std::string& path, std::span<const Edit> edits);
 
-/// Reads a whole log. Throws FileError if the file is missing, is no log of edits, has a line that
-/// is not a record (the error has the number of the line), or is cut off.
+/// Reads a whole log. Throws FileError if the file is missing, is not a log of edits, has a line
+/// that is not a record (the error names its number), or is cut off.
 [[nodiscard]] std::vector<Edit> read_edits(const std::string& path);
 
 } // namespace dsc

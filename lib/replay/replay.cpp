@@ -42,7 +42,8 @@ public:
         return false;
     }
 
-    // The journal has been silent. Whatever reads it looks at the whole complex anew.
+    // The journal has recorded nothing. A `rebuild` makes its readers examine the whole complex
+    // again.
     void end() {
         complex_.journal.readers = readers_;
         rewire::note(complex_.journal, [] { return Edit{.kind = EditKind::rebuild}; });
@@ -50,7 +51,7 @@ public:
     }
 
 private:
-    // The pool of the complex: every id that is not alive.
+    // Collects every id that is not alive in the pool of the complex.
     void gather_free_ids() {
         complex_.ids.clear();
         for (std::uint32_t v = complex_.vertex_bound(); v-- > 0;) {
@@ -80,9 +81,9 @@ private:
                                   : complex_.vertex(across) == edit.apexes[1].id);
     }
 
-    // More ids than a run of so many edits can have: its submeshes hold some for each vertex of the
-    // interface, and a few more. A record that names a higher one is not from this run; it must not
-    // fill the memory.
+    // An upper bound on the ids of a run with this many edits: its submeshes hold some for each
+    // vertex of the interface, and a few more. A record with a higher id is not from this run, and
+    // must not fill the memory.
     static std::uint64_t room_for(std::uint32_t bound, std::size_t edits) {
         return (std::uint64_t{1} << 20U) + 64 * (std::uint64_t{bound} + edits);
     }
@@ -209,11 +210,11 @@ private:
     std::uint64_t max_triangles_;
     std::uint32_t readers_;
     EditLog silent_;
-    IdPool fresh_; // always empty: an id that is asked for is a new one
+    IdPool fresh_; // always empty, so that ids taken from it are new
     IdPool freed_; // not used: the records say which id comes next
 };
 
-// What is recorded, but cannot be repeated from the record alone.
+// Refuses records that cannot be repeated from the log alone.
 void check_kinds(std::span<const Edit> edits, bool has_others) {
     for (const Edit& edit : edits) {
         const bool of_a_module = edit.kind == EditKind::retriangulate ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What outlives a run: logs of edits, files that tell whether they are whole, and a mesh's
-// fingerprint; in reading order.
+// Records of a run: logs of edits, files with a checksum, and a mesh's fingerprint; in reading
+// order.
 #pragma once
 
 #include "replay/mesh_hash.h"

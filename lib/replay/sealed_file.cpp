@@ -84,25 +84,25 @@ std::string sealed(const SealedKind& kind, const std::string& bytes) {
 std::string unsealed(std::string bytes, const SealedKind& kind, const std::string& name) {
     Header header;
     if (bytes.size() < header_size) {
-        throw FileError("is too short for a file of kind '" + kind.name + "'", name);
+        throw FileError("too short for a file of kind '" + kind.name + "'", name);
     }
     std::memcpy(&header, bytes.data(), header_size);
     if (header.name != padded(kind)) {
-        throw FileError("is no file of kind '" + kind.name + "'", name);
+        throw FileError("not a file of kind '" + kind.name + "'", name);
     }
     if (header.version != kind.version) {
-        throw FileError("has version " + std::to_string(header.version) + ", not " +
+        throw FileError("version " + std::to_string(header.version) + ", not " +
                             std::to_string(kind.version),
                         name);
     }
     bytes.erase(0, header_size);
     if (bytes.size() != header.size) {
-        throw FileError("is incomplete: " + std::to_string(bytes.size()) + " bytes of " +
+        throw FileError("incomplete: " + std::to_string(bytes.size()) + " bytes of " +
                             std::to_string(header.size),
                         name);
     }
     if (header.reserved != 0 || checksum(bytes) != header.sum) {
-        throw FileError("is damaged: its checksum does not fit", name);
+        throw FileError("damaged: the checksum does not match", name);
     }
     return bytes;
 }

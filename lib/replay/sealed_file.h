@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bytes that tell whether they are whole: a header of 32 bytes (kind, version, length, checksum;
-// little endian), and then the bytes. A simulation and what belongs to it, as a file:
+// Bytes with a checksum: a header of 32 bytes (kind, version, length, checksum; little endian), and
+// then the bytes. A simulation and the state of its program, as a file:
 //
 //     Archive archive;
 //     simulation.archive(archive);
@@ -17,20 +17,20 @@
 
 namespace dsc {
 
-/// What a file holds, and in which form.
+/// The kind of a file and the version of its layout.
 struct SealedKind {
-    std::string name;          ///< at most 8 bytes, the rest of which are 0 in the file
+    std::string name;          ///< at most 8 bytes, padded with 0 in the file
     std::uint32_t version = 1; ///< of the layout of the bytes; other versions are refused
 };
 
-/// Writes the file beside its place, syncs it to the disk and renames it, so that an existing file
-/// stays whole whatever happens. Throws FileError; InputError if `kind.name` has not 1 to 8 bytes.
+/// Writes a part file, syncs it to the disk and renames it, so that an existing file is never
+/// damaged. Throws FileError; InputError if `kind.name` does not have 1 to 8 bytes.
 void write_sealed(const std::string& path, const SealedKind& kind, const std::string& bytes);
 
-/// The bytes of such a file, for what is kept elsewhere. Throws InputError as `write_sealed`.
+/// The bytes of such a file, to be stored elsewhere. Throws InputError as `write_sealed`.
 [[nodiscard]] std::string sealed(const SealedKind& kind, const std::string& bytes);
 
-/// What was sealed. `name` is what errors call it; throws FileError as `read_sealed`.
+/// The bytes that were sealed. Errors refer to them by `name`; throws FileError as `read_sealed`.
 [[nodiscard]] std::string unsealed(std::string bytes, const SealedKind& kind,
                                    const std::string& name);
 

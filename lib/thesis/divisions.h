@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// Those in submeshes of the mesh itself.
+/// The divisions in submeshes of the mesh itself.
 inline constexpr std::array<const Division*, 5> in_place_divisions{
     &fixed_division, &counting_division, &active_division, &blocks_division, &cells_division};
 

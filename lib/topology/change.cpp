@@ -15,7 +15,7 @@ namespace dsc {
 
 template <class Real>
 AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates) {
-    // Most candidates face no sheet: they count once something else has changed.
+    // Most candidates face no sheet: they matter only after something else has changed.
     const auto others =
         std::partition(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
             return candidate.is_facing || candidate.is_sharp;
@@ -39,7 +39,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     land_vertices<Real>(work, has_wide ? candidates : notable);
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
-    take_touched_apart(work);
+    split_touched(work);
     return give_back(work);
 }
 

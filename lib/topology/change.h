@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of topology, between two sub-steps: films open, seams go on, small pieces vanish. The
-// edits are noted in the journal of the complex, from which the drivers learn of them as they do of
-// an application's.
+// Changes of topology, between two sub-steps: films open, seams continue, small pieces vanish. The
+// edits are noted in the journal of the complex, where the drivers read them like an application's.
 #pragma once
 
 #include "topology/events.h"
@@ -13,11 +12,11 @@
 namespace dsc {
 
 /// Changes the topology around the candidates, as far as the options allow, and appends what
-/// happened to `work.events`. Any of them may be dead, inside a phase, or named twice by now; they
-/// are reordered, and the result does not depend on their order. Returns what became of the area
-/// that changed hands if it is to be given back, and zeros otherwise. O(their degrees), plus the
-/// length of the outline for each film that opens. The threads of the step look for films and small
-/// pieces together; all edits are serial, in the order of their places.
+/// happened to `work.events`. Candidates may be dead, inside a phase, or listed twice by now; they
+/// are reordered, and the result does not depend on their order. Returns how much of the area that
+/// phases lost was given back, if that is an option, and zeros otherwise. O(their degrees), plus
+/// the length of the outline for each film that opens. The threads of the step share the search for
+/// films and small pieces; all edits are serial, in the order of their places.
 template <class Real>
 AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates);
 

@@ -14,7 +14,7 @@ template <class Real>
 void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& options,
                    Real edge_length);
 
-/// Whether the two have different contact distances somewhere. O(pairs).
+/// Whether any contact distance differs between the two. O(pairs).
 template <class Real>
 [[nodiscard]] bool differ_in_contact(const TopologyOptions<Real>& one,
                                      const TopologyOptions<Real>& other);

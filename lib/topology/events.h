@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happened to the topology of the phases: each event is told, with the area that changed
-// hands, so that none of it vanishes unreported.
+// Events: the changes of topology that happened. Each is reported with the area that changed its
+// phase, so that no area vanishes unreported.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -19,7 +19,7 @@ enum class EventKind : std::uint8_t {
     /// `Event::taken` is the same twice), which border on each other now.
     meet,
     widen,    ///< the film of an earlier event opened farther: along its seam, or elsewhere
-    exchange, ///< a vertex of too many sectors came apart: some phases met, others parted
+    exchange, ///< an unstable junction split (T1): some phases met, others parted
     fill,     ///< a small piece of the exterior vanished
     remove,   ///< a small piece of another phase vanished
 };
@@ -44,7 +44,7 @@ struct Event {
     Phase lost = exterior_phase; ///< the phase whose area it was
     /// The phases that took the area; the same twice unless different ones took it.
     std::array<Phase, 2> taken = {};
-    double area = 0; ///< that changed hands
+    double area = 0; ///< that changed its phase
 };
 
 inline void archive(Archive& archive, Event& event) {
@@ -52,10 +52,11 @@ inline void archive(Archive& archive, Event& event) {
     archive(event.time, event.x, event.y, event.lost, event.taken, event.area);
 }
 
-/// What became of the area that changed hands, where it is to be given back.
+/// How much area was given back to the phases that lost it, if that is an option.
 struct AreaAccount {
     double given_back = 0; ///< in squared units of the domain
-    double owed = 0;       ///< still: the two phases have no common interface nearby any more
+    double owed = 0;       ///< could not be given back: the two phases no longer have a common
+                           ///< interface nearby
 
     AreaAccount& operator+=(const AreaAccount& other) {
         given_back += other.given_back;

@@ -17,20 +17,20 @@ namespace dsc {
 
 namespace {
 
-/// Transfers of the same two phases within this many edge lengths are settled together: when
-/// junctions exchange their neighbours, much of what one triangle takes the next one gives.
+/// Transfers of the same two phases within this many edge lengths are netted: in a T1, much of the
+/// area that one triangle takes, the next one returns.
 constexpr double same_place = 4;
 /// How far a vertex may move, in edge lengths: too little to close or open anything.
 constexpr double farthest_move = 0.1;
 /// Fewer vertices would make a bump.
 constexpr std::size_t fewest_vertices = 6;
-/// The search for an interface of the two phases ends after so many vertices.
+/// The search for an interface of the two phases ends after this many vertices.
 constexpr std::size_t max_searched = 4096;
-/// The pressure is found anew as often as this: each time a small part of what was left remains,
-/// until that is rounding.
+/// Rounds in which the pressure is computed: each leaves a small part of the remaining area, until
+/// that is rounding.
 constexpr int max_pressures = 30;
 
-/// What one phase owes another at one place.
+/// The area that one phase owes another at one place.
 struct Debt {
     Point<double> place;
     Triangle near; ///< where the search begins
@@ -42,7 +42,7 @@ struct Bend {
     std::uint32_t vertex;
     std::uint32_t before; ///< along the curve, with the phase that is to gain on the left
     std::uint32_t after;
-    Point<double> first; ///< where it is to begin with
+    Point<double> first; ///< its position at the start
     double weight = 1;   ///< of its movement
 };
 
@@ -57,7 +57,7 @@ public:
         AreaAccount account;
         for (const auto& [phases, debts] : collect_debts()) {
             for (const Debt& debt : debts) {
-                const double left = settle(phases, debt);
+                const double left = repay(phases, debt);
                 account.given_back += std::abs(debt.area) - std::abs(left);
                 account.owed += std::abs(left);
             }
@@ -68,7 +68,7 @@ public:
 private:
     using Pair = std::pair<Phase, Phase>;
 
-    // Net, in the order of the phases.
+    // The net debts, in the order of the phases.
     std::map<Pair, std::vector<Debt>> collect_debts() {
         std::map<Pair, std::vector<Debt>> debts;
         const double near = same_place * static_cast<double>(work_.edge_length);
@@ -89,8 +89,8 @@ private:
         return debts;
     }
 
-    // Returns what is left of the debt.
-    double settle(const Pair& phases, const Debt& debt) {
+    // Repays a debt by moving the interface; returns what remains of it.
+    double repay(const Pair& phases, const Debt& debt) {
         const Phase gains = debt.area > 0 ? phases.first : phases.second;
         const Phase loses = debt.area > 0 ? phases.second : phases.first;
         double left = std::abs(debt.area);
@@ -176,7 +176,8 @@ private:
         return true;
     }
 
-    // Nearest first, and weights that fall to nothing beyond the farthest: the curve stays smooth.
+    // Sorts vertices nearest first, with weights that fall to 0 beyond the farthest, so that the
+    // curve stays smooth.
     void weigh(const Point<double>& place) {
         const auto squared = [&](const Bend& bend) { return (bend.first - place).squaredNorm(); };
         std::ranges::sort(bends_, {}, [&](const Bend& bend) {
@@ -184,7 +185,7 @@ private:
         });
         const double farthest = bends_.empty() ? 0 : squared(bends_.back());
         for (Bend& bend : bends_) {
-            // A single vertex may lie at the very place.
+            // A single vertex may lie exactly at the place.
             bend.weight = farthest > 0 ? 1 - squared(bend) / (1.2 * farthest) : 1;
         }
     }
@@ -194,15 +195,15 @@ private:
         return complex_.position(Vertex{v}).template cast<double>();
     }
 
-    // Of the area on the left of the curve: half of the chord between the neighbours, turned
-    // clockwise. The area is linear in the position of a single vertex.
+    // The gradient of the area on the left of the curve: half of the chord between the neighbours,
+    // turned clockwise. The area is linear in the position of a single vertex.
     [[nodiscard]] Point<double> gradient(const Bend& bend) const {
         const Point<double> chord = position(bend.after) - position(bend.before);
         return Point<double>(chord.y(), -chord.x()) / 2;
     }
 
-    // A distance along the normal, per pressure: the same everywhere but for the weight, and small
-    // at a sharp tip.
+    // The displacement along the normal per unit of pressure: equal everywhere except for the
+    // weight, and small at a sharp tip.
     [[nodiscard]] Point<double> way(const Bend& bend) const {
         const Point<double> at = position(bend.vertex);
         const double length =
@@ -217,7 +218,7 @@ private:
             per_pressure += gradient(bend).dot(way(bend));
         }
         if (!(per_pressure > 0)) {
-            return 0; // there is no room: all weights are zero, or the curve turns back at once
+            return 0; // no room: all weights are 0, or the curve turns back at once
         }
         const double pressure = area / per_pressure;
         double gained = 0;

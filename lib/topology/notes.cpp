@@ -66,12 +66,12 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
     if (incident.count == 0) {
         return 0;
     }
-    // All of an owned star is listed here: nobody else writes to its notes. Of any other nothing is
-    // known, except that it may face a sheet. Vertices on the domain boundary count as noted.
+    // All vertices of an owned star are listed here: nobody else writes their notes. Any other star
+    // is assumed to face a sheet. Vertices on the domain boundary count as noted.
     const bool may_face = !star.owned || may_face_a_sheet(notes, round, star);
     const bool is_beside_boundary = star.owned && may_face && faces_boundary(complex, star);
-    // Which of the stars that face no sheet are thin matters once something else has changed: they
-    // are looked at then.
+    // Whether a star that faces no sheet is thin matters only after something else has changed, and
+    // is tested then.
     const bool is_thin = !may_face || has_thin_triangle(star, what.contact * what.contact);
     const bool is_sharp =
         incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(star, incident)));
@@ -114,7 +114,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     Complex<Real>& complex = work.complex;
     const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
     VertexAttribute<Note>& notes = *book.notes;
-    // All vertices come first: the stars of their neighbours are compared with these notes.
+    // All vertices are noted first: the stars of their neighbours are compared with these notes.
     std::vector<std::uint32_t>& left = work.interface_next; // scratch of the remeshing
     left.clear();
     bool has_first = false;
@@ -131,7 +131,7 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
         }
         has_first = has_first || (notes[Vertex{v}].what & noted_first) != 0;
     }
-    // Stars that were noted before such a vertex may face it.
+    // Stars that were noted before a vertex without earlier notes may face it.
     for (const std::uint32_t v : has_first ? work.interface : left) {
         if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.star)) {
             note_star(work, work.star, interface_edges_of(work.star), what, round, book);

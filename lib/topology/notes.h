@@ -25,7 +25,7 @@ enum Notable : std::uint32_t {
     noted_seam = 16U,
     noted_boundary = 32U, ///< the vertex lies on the domain boundary, along which a film may lie
     noted_first = 64U,    ///< the vertex had no note in the round before
-    noted_star = 128U,    ///< the star has been looked at in this round
+    noted_star = 128U,    ///< the star has been examined in this round
     noted_of_star = noted_thin | noted_facing | noted_sharp | noted_junction,
     noted_for_ever = noted_seam | noted_boundary, ///< kept from round to round
 };
@@ -39,7 +39,8 @@ struct Note {
 /// The bytes of a note.
 inline void archive(Archive& archive, Note& note) { archive(note.round, note.what); }
 
-/// Where a vertex was. Of a type of its own: points are data of the application, which files show.
+/// Where a vertex was. A type of its own, because attributes of points count as data of the
+/// application and are written to files.
 template <class Real>
 struct NotedPlace {
     Real x = 0; ///< in units of the domain
@@ -55,9 +56,9 @@ void archive(Archive& archive, NotedPlace<Real>& place) {
 /// Whether the complex has an attribute of notes. O(1).
 template <class Real>
 [[nodiscard]] bool has_notes(const Complex<Real>& complex);
-/// The notes of a complex, which are made if there are none yet. A new vertex between two that are
-/// noted counts as noted, and between two on the domain boundary as one of those. O(1), or O(n) for
-/// new ones.
+/// The notes of a complex, created if there are none yet. A new vertex between two noted ones
+/// counts as noted, and between two on the domain boundary as lying on it. O(1), or O(n) for new
+/// ones.
 template <class Real>
 [[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
 /// Where the vertices that were noted last were before the sub-step. As `notes_of`.
@@ -75,8 +76,8 @@ struct Notability {
     Real curvature = 0; ///< from here on, the outline may be that of a small piece
 };
 
-/// Of every closed curve around an area A, the curvature is somewhere sqrt(pi / A) or more. Half of
-/// that includes what a corner of the domain completes, and unequal edges.
+/// Every closed curve around an area A has a curvature of sqrt(pi / A) or more somewhere. Half of
+/// that also covers curves that a corner of the domain completes, and unequal edges.
 template <class Real>
 [[nodiscard]] Real curvature_around(Real min_area) {
     return std::sqrt(std::numbers::pi_v<Real> / min_area) / 2;
@@ -136,7 +137,7 @@ template <class Real>
 }
 
 /// Whether a vertex lies on the domain boundary, or was noted in this round or the last one. The
-/// last one counts because a vertex that has just come into another submesh is noted after all
+/// last round counts because a vertex that has just entered another submesh is noted after all
 /// others.
 [[nodiscard]] inline bool is_noted(const Note& note, std::uint32_t round) {
     return round - note.round <= 1 || (note.what & noted_boundary) != 0;
@@ -150,7 +151,7 @@ template <class Real>
     const auto is_noted = [&](std::uint32_t i) {
         return dsc::is_noted(notes[Vertex{star.link[i]}], round);
     };
-    // Of two that are successive one has an odd place, unless they close an odd star.
+    // Of two successive ones, one has an odd index, unless they close an odd star.
     const std::uint32_t n = star.link_size();
     for (std::uint32_t i = 1; i < n; i += 2) {
         if (is_noted(i) &&
@@ -190,7 +191,7 @@ struct Bend {
 };
 
 /// Whether the interface turns by more than 45 degrees between two edges: the angle from which an
-/// outline counts as sharp. Squared, as a root would be a third of the time.
+/// outline counts as sharp. Compares squares, since a root would take a third of the time.
 template <class Real>
 [[nodiscard]] bool turns_sharply(const Bend<Real>& bend) {
     constexpr Real squared_cosine = Real(0.49);

@@ -22,8 +22,8 @@ inline constexpr std::array opening_names{
 
 /// What happens where a phase becomes thin.
 enum class Topology : std::uint8_t {
-    keep,   ///< two sheets of the interface that meet hold each other up
-    change, ///< a sheet of the phase opens and a neck closes; what is left of it vanishes
+    keep,   ///< colliding interfaces block each other; the topology is kept
+    change, ///< thin films open and necks close; small remnants vanish
 };
 
 inline constexpr std::array topology_names{
@@ -61,15 +61,15 @@ struct TopologyOptions {
     Topology rule = Topology::keep; ///< of all pairs without a rule of their own
     /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. It may
     /// be several edge lengths: the time of an event then converges, as the edges become shorter,
-    /// to that of this distance, and each sub-step looks across the films from all of the
-    /// interface. Films along the domain boundary open as well, and the phase beyond wets the
-    /// domain boundary; `may_change` or the rule of the pair keeps them. Wider than a phase is
-    /// refused where a simulation begins (contact_check.h).
+    /// to that of this distance, and each sub-step searches across films from the whole interface.
+    /// Films along the domain boundary open as well, and the phase beyond wets the domain boundary;
+    /// `may_change` or the rule of the pair keeps them. A distance wider than a phase is refused
+    /// when a simulation begins (contact_check.h).
     Real contact = 0;
     Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
-    /// Where a film has opened, its seam goes on to where the film is thicker. False: it does not.
-    /// That is for flows in which the ends of a film retract by themselves, as tension makes them:
-    /// a filament is cut where it is thinnest, and its stumps are not eaten up.
+    /// Whether an opened film goes on opening along its seam, where it is thicker. Set it to false
+    /// for flows in which the ends of a film retract by themselves, as under tension: a filament is
+    /// then cut where it is thinnest, and its stumps stay.
     bool follows_seams = true;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
     Real min_area = 0;
@@ -78,13 +78,13 @@ struct TopologyOptions {
     /// topology/give_back.h.
     bool gives_back_area = false;
     std::vector<PairTopology<Real>> pairs = {}; ///< pairs with a rule of their own, each once
-    /// Asked before a film opens: false keeps it. Called by the thread that calls
-    /// `Simulation::step`, between sub-steps; what it throws comes out of there, and the complex is
-    /// valid then.
+    /// Called before a film opens; false keeps the film. Runs on the thread that calls
+    /// `Simulation::step`, between sub-steps; the step rethrows its exceptions, and the complex
+    /// stays valid.
     std::function<bool(const Contact& contact)> may_change = {};
 
     /// The energy of an interface between two phases, per length: 0 or more. It decides how
-    /// vertices with four and more sectors come apart. Empty: the same for all pairs.
+    /// unstable junctions split. Empty: the same for all pairs.
     std::function<double(Phase one, Phase other)> energy = {};
 
     /// Whether anything may change at all.
@@ -101,8 +101,9 @@ struct TopologyOptions {
 /// The default of `TopologyOptions::contact`, in edge lengths: below 0.15 a seam leaves holes; at
 /// 0.4 it leaves none, and the error of a union is of second order.
 inline constexpr double default_contact = 0.4;
-/// Up to this contact distance, in edge lengths, films are seen where single triangles span them:
-/// it is the height of a triangle. Wider films are seen by rays across them (wide_films.h).
+/// Up to this contact distance, in edge lengths, films are detected by single triangles that span
+/// them: it is the height of a triangle. Wider films are detected by rays across them
+/// (wide_films.h).
 inline constexpr double max_contact_of_triangles = 0.75;
 
 /// Whether a contact distance, a length, is wider than triangles can show.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region of one phase as it is seen from its edges, for changes of the topology. What edits is
-// serial and rare: it runs between two sub-steps, on a few triangles, in the whole complex. What
-// only reads is called by several threads at the same time.
+// The region of one phase as it is seen from its edges, for changes of the topology. Functions that
+// edit are serial and rare: they run between two sub-steps, on a few triangles, in the whole
+// complex. Functions that only read are called by several threads at the same time.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -28,7 +28,7 @@ struct Transfer {
     Triangle near;
 };
 
-/// What a change of topology works on.
+/// The state that changes of topology work on.
 template <class Real>
 struct TopologyWork {
     Complex<Real>& complex;
@@ -36,16 +36,16 @@ struct TopologyWork {
     Real edge_length;
     double time; ///< of the events
     std::vector<Event>& events;
-    /// Something is in the way of a vertex of the interface, or may be.
+    /// Whether a vertex of the interface is blocked, or may be.
     bool has_blocked = true;
     const InShares& in_shares = one_by_one; ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex);
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
-    /// Vertices of the triangles that have changed hands: some may have too many sectors now.
+    /// Vertices of relabelled triangles: some may have too many sectors now.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
-    double swept = 0; ///< by junctions that became one, until the next event tells of it
-    /// The candidates that something was in the way of before the change, ascending.
+    double swept = 0;                     ///< area, by merged junctions; the next event reports it
+    /// The candidates that were blocked before the change, ascending.
     std::vector<std::uint32_t> blocked = {};
 };
 
@@ -95,13 +95,13 @@ template <class Real>
     return (c.x - b.x) * (a.y - c.y) - (c.y - b.y) * (a.x - c.x);
 }
 
-/// Whether the application has nothing against it.
+/// Whether the application allows it.
 template <class Real>
 [[nodiscard]] bool may_open(const TopologyWork<Real>& work, const Contact& contact) {
     return !work.options.may_change || work.options.may_change(contact);
 }
 
-/// Whether something is in the way of the vertex, or was before the change, if it may move at all.
+/// Whether the vertex is blocked, or was before the change; false for dead and locked vertices.
 template <class Real>
 [[nodiscard]] bool is_blocked(const TopologyWork<Real>& work, std::uint32_t v) {
     const std::uint32_t flags = work.complex.is_alive(Vertex{v}) ? work.complex.vertices[v].flags
@@ -123,7 +123,7 @@ template <class Real>
     return {place.x, place.y};
 }
 
-/// The seam goes on from the vertices of this triangle.
+/// Lets the seam continue from the vertices of this triangle.
 template <class Real>
 void mark_seam(TopologyWork<Real>& work, Triangle t) {
     for (const Vertex v : work.complex.vertices_of(t)) {

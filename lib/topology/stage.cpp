@@ -22,7 +22,7 @@ void TopologyStage<Real>::set_options(TopologyOptions<Real> options) {
         check_contact<Real>(*complex_, options, edge_length_);
     }
     options_ = std::move(options);
-    settle();
+    find_notability();
 }
 
 template <class Real>
@@ -41,12 +41,12 @@ void TopologyStage<Real>::begin(Complex<Real>& complex, const Options<Real>& opt
     notes_ = &notes_of(complex);
     places_ = &places_of(complex);
     edge_length_ = options.edge_length;
-    settle();
+    find_notability();
 }
 
-// What follows from the options.
+// Derives from the options what makes a star notable.
 template <class Real>
-void TopologyStage<Real>::settle() {
+void TopologyStage<Real>::find_notability() {
     notable_ = {.contact = largest_contact(options_, edge_length_),
                 .curvature = curvature_around(min_area(options_, edge_length_))};
 }
@@ -77,7 +77,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     const auto is_blocked = [&](std::uint32_t v) {
         return (complex.vertices[v].flags & vertex_contact) != 0;
     };
-    // Films that are wider than triangles show are looked for from everywhere.
+    // Films wider than a triangle are searched for from every vertex.
     const bool is_notable = is_wide(notable_.contact, edge_length_) ||
                             std::ranges::any_of(between.interface, [&](std::uint32_t v) {
                                 return (what(v) & (noted_facing | noted_sharp)) != 0;
@@ -92,7 +92,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
             const std::uint32_t v = between.interface[i];
             const std::uint32_t bits = what(v);
             has_blocked[range] = has_blocked[range] || is_blocked(v);
-            // What is in the way of a vertex may have come to face it since.
+            // A blocked vertex may by now lie opposite another sheet; treat it as facing.
             candidates_[i] = {.vertex = bits != 0 ? v : no_id,
                               .is_thin = (bits & noted_thin) != 0,
                               .is_facing = (bits & noted_facing) != 0 || is_blocked(v),
@@ -127,7 +127,7 @@ template <class Real>
 void TopologyStage<Real>::archive(Archive& archive) {
     std::uint64_t told = told_;
     archive(round_, events_, told, area_);
-    archive.expect(told <= events_.size(), "has reported events that did not happen");
+    archive.expect(told <= events_.size(), "more events reported than happened");
     told_ = static_cast<std::size_t>(told);
 }
 

@@ -22,7 +22,7 @@ public:
     /// Throws InputError if an option is out of range.
     explicit TopologyStage(TopologyOptions<Real> options);
 
-    /// Those of the next sub-step.
+    /// The options of the next sub-step.
     [[nodiscard]] const TopologyOptions<Real>& options() const { return options_; }
     /// Replaces the options between two steps. Throws InputError if one is out of range, or a new
     /// contact distance wider than a phase (contact_check.h), and then keeps the old ones.
@@ -30,10 +30,11 @@ public:
 
     /// Reports events to the listener from now on, after the sub-step in which they happen.
     void add_listener(EventListener listener) { listeners_.push_back(std::move(listener)); }
-    /// The events since the last call, in the order in which they happened. They are kept until
-    /// then.
+    /// The events since the last call, in the order in which they happened. Events are kept until
+    /// they are taken.
     [[nodiscard]] std::vector<Event> take_events();
-    /// What became of their area since the last call: see `TopologyOptions::gives_back_area`.
+    /// The area of these events that was given back, and that is owed, since the last call: see
+    /// `TopologyOptions::gives_back_area`.
     [[nodiscard]] AreaAccount take_area();
 
     // --- called by the simulation
@@ -45,7 +46,7 @@ public:
     void archive(Archive& archive) override;
 
 private:
-    void settle();
+    void find_notability();
 
     TopologyOptions<Real> options_;
     Complex<Real>* complex_ = nullptr; ///< of the simulation; null before there is one

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the topology may have to change, and how all of these places are looked at.
+// Candidates: places where the topology may have to change, and how threads examine them.
 #pragma once
 
 #include "dsc/motion/interface_flow.h"
@@ -21,7 +21,7 @@ struct Candidate {
     /// The interface turns sharply or tightly there, has a junction, or is beside the domain
     /// boundary.
     bool is_sharp;
-    bool is_junction; ///< it turns sharply or has one, and not just between two edges inside
+    bool is_junction; ///< it turns sharply or has a junction, and not just between two edges inside
 };
 
 /// The ranges of places that threads share.
@@ -37,9 +37,9 @@ void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& lo
     (count < few ? one_by_one : in_shares)(ranges_of_places, std::cref(look_in));
 }
 
-/// Appends what there is at the candidates to `found`, in their order: `look(candidate, found)`
-/// appends what it finds at one, and only reads, as several threads look at the same time. No
-/// allocation where nothing is found.
+/// Appends what `look(candidate, found)` appends for each candidate to `found`, in their order.
+/// `look` may only read, since several threads call it at the same time. No allocation if nothing
+/// is found.
 template <class Found, class Look>
 void find_at(const InShares& in_shares, std::span<const Candidate> candidates,
              std::vector<Found>& found, const Look& look) {

@@ -104,11 +104,12 @@ std::string refusal_of(Value written, auto read_as) {
 }
 
 TEST(Archives, RefuseWhatCannotBe) {
-    EXPECT_EQ(refusal_of(std::uint32_t{2}, bool{}), "here: names a choice that does not exist");
-    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::vector<double>{}), "here: ends too early");
-    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::string{}), "here: ends too early");
+    EXPECT_EQ(refusal_of(std::uint32_t{2}, bool{}), "here: number outside its enum");
+    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::vector<double>{}),
+              "here: unexpected end of data");
+    EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::string{}), "here: unexpected end of data");
     EXPECT_EQ(refusal_of(std::uint32_t{2}, std::variant<double, std::string>{}),
-              "here: names a choice that does not exist");
+              "here: number outside its enum");
     // A ball in a ball in a ball...
     Ball ball;
     for (int depth = 0; depth < 100; ++depth) {

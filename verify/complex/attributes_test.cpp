@@ -32,7 +32,7 @@ TEST(Attributes, AreFoundByNameKindAndType) {
     expect_refused([&] { (void)all.get<Triangle, double>("heat"); }, "another kind of simplex");
     expect_refused([&] { (void)all.get<VertexAttribute<int>>("heat"); }, "another type");
     expect_refused([&] { all.add<Edge, double>("heat"); }, "of that name exists");
-    expect_refused([&] { all.add(std::unique_ptr<VertexAttribute<int>>()); }, "no attribute");
+    expect_refused([&] { all.add(std::unique_ptr<VertexAttribute<int>>()); }, "null pointer");
     expect_refused([&] { all.remove("cold"); }, "no such attribute");
     all.remove("load");
     EXPECT_TRUE(all.empty(SimplexKind::triangle));

@@ -106,7 +106,7 @@ TEST(GrowthRules, RefuseSpeedsThatMakeNoSense) {
               "growth.speeds: not a pair of phases: got 1 into 1; allowed: two different phases of "
               "the complex");
     EXPECT_EQ(refusal({.speeds = {{1, 0, 1.0}, {0, 1, 1.0}}}),
-              "growth.speeds: a pair of phases with two speeds: got 0 into 1; allowed: each pair "
+              "growth.speeds: two speeds for one pair of phases: got 0 into 1; allowed: each pair "
               "once");
     EXPECT_EQ(refusal({.speeds = {{1, 7, 1.0}}}),
               "growth.speeds: a phase that the complex does not have: got 7; allowed: a phase of "

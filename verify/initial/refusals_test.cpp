@@ -62,8 +62,8 @@ TEST(InitialErrors, OptionsAndDomain) {
         {-1, {}, "edge_length", "above 0"},
         {infinity, {}, "edge_length", "above 0"},
         {nan, {}, "edge_length", "above 0"},
-        {1e-110, {{0, 0}, {1e-109, 1e-109}}, "edge_length", "choose_frame brings any scene there"},
-        {1e110, {{0, 0}, {1e111, 1e111}}, "edge_length", "choose_frame brings any scene there"},
+        {1e-110, {{0, 0}, {1e-109, 1e-109}}, "edge_length", "scale other scenes with choose_frame"},
+        {1e110, {{0, 0}, {1e111, 1e111}}, "edge_length", "scale other scenes with choose_frame"},
         {1.5, {}, "edge_length", "smaller side of the domain"},
         {0.3, {{0, 0}, {1, 0.2}}, "edge_length", "smaller side of the domain"},
         {1e-5, {}, "edge_length", "triangles"},
@@ -196,7 +196,7 @@ TEST(InitialErrors, Contacts) {
 }
 
 TEST(InitialErrors, Phases) {
-    const std::string same = "phase of what is around it";
+    const std::string same = "same phase as its surroundings";
     expect_refused<double, Shape>({
         {{square(0.2, 0.2, 0.2, 0)}, "shape 0", same},
         {{square(0.2, 0.2, 0.2, 4), square(0.5, 0.2, 0.2, 0)}, "shape 1", same},
@@ -232,7 +232,7 @@ TEST(InitialErrors, FloatsThatCollide) {
     const std::vector<Curve> doubled{{{{0, 0.5}, {0, 0.5}, {1, 0.5}}, 1, 0}};
     expect_refused<float, Curve>({{close, "curve 0, edge 1", "points collide when rounded"},
                                   {first, "curve 0, edge 0", "points collide when rounded"},
-                                  {doubled, "curve 0, edge 0", "no length"}},
+                                  {doubled, "curve 0, edge 0", "length 0"}},
                                  Detail::keep);
     expect_refused<float, Curve>({
         {far, "curve 0, point 1", "not finite"},

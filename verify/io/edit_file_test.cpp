@@ -89,7 +89,7 @@ TEST(EditFile, SaysWhatIsWrong) {
     EXPECT_NE(problem_of(path_of("is_not_there.edits")).find("cannot be opened"),
               std::string::npos);
     write(path, "solid dsc\n");
-    EXPECT_NE(problem_of(path).find("no log of edits"), std::string::npos);
+    EXPECT_NE(problem_of(path).find("not a log of edits"), std::string::npos);
     write_edits(path, some_edits());
     const std::string whole = read(path);
     // Cut off anywhere, at the end of a line or within one; only the last line break may be
@@ -108,7 +108,7 @@ TEST(EditFile, SaysWhatIsWrong) {
          {std::string("flop") + good.substr(4), good + " 8", good.substr(0, good.size() - 6),
           std::string("flip 9") + good.substr(6), std::string("flip 0 2") + good.substr(8),
           good.substr(0, good.size() - 5) + "nan", std::string()}) {
-        EXPECT_NE(with(bad).find("line 2 is no record"), std::string::npos) << bad;
+        EXPECT_NE(with(bad).find("line 2 is not a record"), std::string::npos) << bad;
     }
     write(path, "dsc edits 1\n" + good + "\nend 2\n");
     EXPECT_NE(problem_of(path).find("after 1 records"), std::string::npos);

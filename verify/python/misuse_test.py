@@ -156,7 +156,7 @@ CASES = {
     "option that is an array": (stepped(swirl, deviation=np.zeros(3)), INPUT, "deviation: bad value"),
     "phases that are advected and none": (stepped(swirl, advected_phases="all"), INPUT, "advected_phases: bad value"),
     "restored from other bytes": (lambda mesh: dsc.Simulation(mesh, edge_length=H)._restore(b"abc"),
-                                  dsc.FileError, "simulation: ends too early"),
+                                  dsc.FileError, "simulation: unexpected end of data"),
     "mesh from other bytes": (lambda mesh: mesh.__reduce__()[0](b"abc"), dsc.FileError, "mesh: is too short"),
     "outline outside": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc((2, 2))}, edge_length=H), INPUT, "outside"),
     "mesh of absurd size": (lambda mesh: dsc.initial_complex(DOMAIN, {}, edge_length=1e-9), INPUT, "edge_length|edge"),

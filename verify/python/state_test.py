@@ -61,8 +61,8 @@ class ASimulation(unittest.TestCase):
             self.assertIs(other.mesh, mesh)
             self.assertEqual(note, "a note")
             whole = path.read_bytes()
-            for changed, sentence in ((whole[:20], "is too short"), (whole[:-1], "is incomplete"),
-                                      (b"x" + whole[1:], "is no file of kind"),
+            for changed, sentence in ((whole[:20], "too short"), (whole[:-1], "incomplete"),
+                                      (b"x" + whole[1:], "not a file of kind"),
                                       (whole[:-9] + b"x" + whole[-8:], "is damaged")):
                 path.write_bytes(changed)
                 with self.assertRaisesRegex(dsc.FileError, f"run.dsc: {sentence}"):

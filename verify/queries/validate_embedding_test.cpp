@@ -100,8 +100,8 @@ Complex<Real> road(double turns, std::uint32_t pieces) {
 
 TYPED_TEST(ValidateEmbedding, SeesADomainThatLiesOverItself) {
     EXPECT_EQ(validate(road<TypeParam>(0.9, 16)).problem, "");
-    expect_problem(road<TypeParam>(1.25, 19), "lies over itself");
-    expect_problem(road<TypeParam>(1, 16), "lies over itself"); // the ends touch
+    expect_problem(road<TypeParam>(1.25, 19), "overlaps itself");
+    expect_problem(road<TypeParam>(1, 16), "overlaps itself"); // the ends touch
 }
 
 // Both sides of a slit, one above the other, side by side, and on each other.
@@ -118,7 +118,7 @@ TYPED_TEST(ValidateEmbedding, SeesVerticalBoundariesThatMeet) {
     EXPECT_EQ(validate(with(TypeParam(8.5), 3)).problem, "");
     EXPECT_EQ(validate(with(8, TypeParam(8.5))).problem, "");
     for (const TypeParam y : {TypeParam(-1.25), TypeParam(3), TypeParam(3.25), TypeParam(7.5)}) {
-        expect_problem(with(8, y), "the domain lies over itself");
+        expect_problem(with(8, y), "the domain overlaps itself");
     }
 }
 

@@ -124,7 +124,7 @@ class Checkpoints(CommandLine):
     def test_bad_checkpoints(self):
         with open(self.path("c"), "w", encoding="utf-8") as stream:
             stream.write("not a checkpoint, but a text of some length")
-        self.expect_refusal("run", "--resume", "c", words=["c: is no file of kind"], code=(1,))
+        self.expect_refusal("run", "--resume", "c", words=["c: not a file of kind"], code=(1,))
         self.expect_refusal("run", "--resume", "none", words=["none", "cannot be read"], code=(1,))
 
     def test_a_file_that_may_not_grow_ends_the_run_with_a_sentence(self):

@@ -103,8 +103,8 @@ TYPED_TEST(MeshFunctions, InsertionRefusesWhatIsNoComplex) {
     };
     refused(Vertex{0}, far, line, 0, "degenerate");
     refused(Vertex{1}, Vertex{1}, far, 0, "named twice");
-    refused(Vertex{1}, Vertex{2}, Vertex{99}, 0, "does not live");
-    refused(Vertex{1}, Vertex{2}, Vertex{no_id}, 0, "does not live");
+    refused(Vertex{1}, Vertex{2}, Vertex{99}, 0, "is not alive");
+    refused(Vertex{1}, Vertex{2}, Vertex{no_id}, 0, "is not alive");
     refused(Vertex{1}, Vertex{2}, far, border_phase, "reserved");
     refused(Vertex{0}, Vertex{1}, far, 0, "degenerate");
     refused(Vertex{0}, Vertex{2}, far, 0, "two triangles already");

@@ -64,8 +64,8 @@ std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes
     return done;
 }
 
-// Vertices that were deleted on their way have nowhere to arrive; those that crept to their targets
-// have arrived.
+// Drops vertices deleted during the step, and those that have come within rounding of their
+// targets.
 template <class Real>
 std::uint64_t give_up_moving_vertices(Work<Real>& work) {
     const auto edge_length = static_cast<Real>(work.options.edge_length);
@@ -96,7 +96,7 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
     : complex_(complex), options_(options), algorithm_(std::move(algorithm)),
       whole_(complex, options_), works_{&whole_},
       sight_(std::make_unique<InterfaceSight<Real>>(in_shares_)) {
-    complex.ids.collect(); // from an executor that has the complex no longer
+    complex.ids.collect(); // lent by an earlier executor
     // Stamps of an earlier run must not be mistaken for those of this one.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
@@ -151,7 +151,7 @@ void Executor<Real>::keep_edits(bool keep) {
 
 template <class Real>
 void Executor<Real>::watch_quality(double quality) {
-    // More than rounding in either precision.
+    // With a margin above the rounding of either precision.
     const double positive = std::max(quality, 0.0);
     for (Work<Real>* work : works_) {
         work->watched_quality = positive * positive * 1.01 + 1e-5;
@@ -169,7 +169,7 @@ void Executor<Real>::absorb(std::span<const Edit> edits) {
     if (after.size() != edits.size()) {
         for (Work<Real>* work : works_) {
             work->active.clear();
-            work->resized.clear(); // all is measured anew
+            work->resized.clear(); // all sizes are measured again
             work->deferred.clear();
         }
         clear_stamps(complex_);
@@ -207,8 +207,8 @@ void Executor<Real>::keep_up_whole() {
 template <class Real>
 TargetReport<Real> Executor<Real>::compute_targets(const Flow<Real>& flow, Real time, Real dt) {
     progress_ = Progress::under_way;
-    // Remeshing may find more to do when it is run again: where the flow threw after it, the
-    // sub-step that is made again goes on from there.
+    // A second remeshing might find more to do: if the flow threw after the first, the repeated
+    // sub-step goes on without another.
     if (!is_kept_up_ || whole_.time != time || whole_.dt != dt) {
         whole_.time = time;
         whole_.dt = dt;
@@ -274,7 +274,7 @@ std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     if (!whole_.moving_vertices.empty()) {
         (void)run_motion(whole_, algorithm_.motion, epoch_);
         whole_.deferred.clear();
-        // That they missed has been noted.
+        // Their misses have been counted.
         for (const auto& moving_vertex : whole_.moving_vertices) {
             complex_.vertices[moving_vertex.vertex].flags &=
                 ~static_cast<std::uint32_t>(vertex_on_way);
@@ -336,7 +336,7 @@ void Executor<Real>::collect_changes() {
         append(changed, work->changed_interface);
         work->changed_interface.clear();
     }
-    if (changed.empty() || works_.size() == 1) { // which has made the changes in its own list
+    if (changed.empty() || works_.size() == 1) { // the work has updated its own list
         return;
     }
     std::ranges::sort(changed);

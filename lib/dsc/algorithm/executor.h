@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the passes of an algorithm over a complex: in one piece (here), or in submeshes first
-// (dsc/parallel). An application may derive an executor of its own. The functions at the end are
-// the parts of a sub-step, for works of its own.
+// (dsc/parallel). An application may derive its own executor, which can use the parts of a sub-step
+// at the end of this file.
 #pragma once
 
 #include "dsc/motion/interface_flow.h"
@@ -19,7 +19,7 @@ template <class Real>
 struct Reach {
     Real farthest = 0; ///< the longest distance to a finite target
     Real error = 0;    ///< the largest error estimate, a length, of an integrator that has one
-    Vertex where = {}; ///< the first vertex that has it
+    Vertex where = {}; ///< the first vertex with this error
 
     Reach& operator+=(const Reach& other) {
         farthest = std::max(farthest, other.farthest);
@@ -31,7 +31,7 @@ struct Reach {
     }
 };
 
-/// What is known once all targets have been found.
+/// A summary of the targets of a sub-step.
 template <class Real>
 struct TargetReport {
     Real fastest = 0;         ///< the largest finite speed at the start
@@ -56,7 +56,7 @@ template <class Real>
 class InterfaceSight;
 
 /// Runs the passes over the whole complex, on the calling thread: the sequential DSC of the thesis.
-/// A class derived from it may let submeshes run first; the whole then does what all of them left.
+/// A derived class may run submeshes first; the whole then does what all of them deferred.
 ///
 /// For each step the driver calls begin_step; for each sub-step compute_targets, perhaps
 /// recompute_targets, and move, and where stages have edited the complex move_missed; then
@@ -72,16 +72,16 @@ public:
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
 
     // Between two steps.
-    /// Replaces all options by ones that have been checked. O(mesh) if other phases are advected.
+    /// Replaces all options by checked ones. O(mesh) if the advected phases change.
     void set_options(const Options<Real>& options);
-    /// Appends a pass to the remeshing: what a stage has to see before anything moves.
+    /// Appends a pass to the remeshing, with which a stage can observe stars before anything moves.
     void add_remeshing(const Pass<Real>& pass);
     /// Whether records of edits are kept from now on, for `take_edits`.
     void keep_edits(bool keep);
     /// As `Simulation::watch_quality`.
     void watch_quality(double quality);
-    /// Vertices that the next mesh update has to look at, because their edges or the targets of
-    /// these may have to change.
+    /// Adds vertices for the next mesh update to visit because their edges, or the targets of
+    /// these, may have to change.
     void resize(std::span<const std::uint32_t> list);
 
     /// Takes account of edits that were not made by the executor: of the application between two
@@ -100,19 +100,19 @@ public:
     virtual Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt);
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move();
-    /// Tries those that did not arrive once more, after a stage has edited the complex, which may
-    /// have set them free. `gone` are the vertices that it took off the interface, ascending.
-    /// Returns how many have arrived now, or are no longer to be moved.
+    /// Moves the vertices that did not arrive once more, after a stage has edited the complex,
+    /// which may have unblocked them. `gone` are the vertices that the stage took off the
+    /// interface, ascending. Returns how many have arrived now, or are no longer to be moved.
     [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone);
     /// The threads of the step, for serial work that can be shared.
     [[nodiscard]] const InShares& in_shares() const { return in_shares_; }
-    /// Called after the last sub-step, also where something threw.
+    /// Called after the last sub-step, also after an exception.
     virtual void end_step();
 
     // Afterwards.
     /// The number of interface vertices.
     [[nodiscard]] std::size_t interface_size() const;
-    /// Appends them, roughly in the order of the curve.
+    /// Appends the interface vertices, roughly in the order of the curve.
     void append_interface(std::vector<std::uint32_t>& list) const;
     /// The records of edits since the last call, in an order in which they can be replayed; valid
     /// until the next call.
@@ -127,34 +127,35 @@ public:
     virtual void archive(Archive& archive);
 
 protected:
-    /// How far a sub-step has come.
+    /// The progress of a sub-step.
     enum class Progress : std::uint8_t {
         none,        ///< it has ended, or has not begun
-        under_way,   ///< what is in which list can only be told by a look at the mesh
+        under_way,   ///< lists may be out of date with the mesh
         has_targets, ///< remeshing is done and targets are known, nothing moves yet
     };
 
-    /// The work in whose list a vertex of the interface belongs.
+    /// The work whose list an interface vertex belongs to.
     virtual Work<Real>& home_of(std::uint32_t /*vertex*/) { return whole_; }
 
     // Parts of a step.
     /// Interface remeshing in the whole. Nothing is deferred there.
     void keep_up_whole();
-    /// Before any vertex moves: the moving vertices of the whole. Returns how many are held.
+    /// Collects the moving vertices of the whole, before any vertex moves. Returns how many are
+    /// held.
     std::uint64_t begin_movement();
     /// Movement and mesh update in the whole: its moving vertices, and the stars that have to be
     /// visited.
     MoveReport move_whole();
-    /// What is left to do when all vertices have moved: edits and lists.
+    /// Call when all vertices have moved: collects edits and updates lists.
     void end_movement();
-    /// To be called between the sections of a sub-step: the submeshes of a section do not touch
-    /// what others own, so their edits can be replayed submesh by submesh.
+    /// Call between the sections of a sub-step. The submeshes of a section do not edit what others
+    /// own, so their edits can be replayed submesh by submesh.
     void collect_edits();
-    /// Applies changes of the interface that passes noted to lists that lie elsewhere.
+    /// Applies the changes of the interface that passes noted to the lists of other works.
     void collect_changes();
-    /// The vertices (ascending) may have come onto the interface, or left it.
+    /// Updates the lists for vertices (ascending) that may have joined or left the interface.
     void change_interface(std::span<const std::uint32_t> changed);
-    /// Lists the interface anew. O(mesh).
+    /// Rebuilds the lists of the interface. O(mesh).
     void list_interface();
     /// A stamp that no vertex has.
     [[nodiscard]] std::uint32_t new_stamp();
@@ -162,21 +163,21 @@ protected:
     Complex<Real>& complex_;         ///< of the simulation
     Options<Real> options_;          ///< of the next step
     Algorithm<Real> algorithm_;      ///< the passes
-    Work<Real> whole_;               ///< the whole, or what the submeshes left of it
-    std::vector<Work<Real>*> works_; ///< of the submeshes, if there are any; last the whole
+    Work<Real> whole_;               ///< the whole, or what the submeshes deferred
+    std::vector<Work<Real>*> works_; ///< those of the submeshes, if any, then the whole
     std::uint32_t epoch_ = 0;        ///< the last stamp
     std::uint64_t steps_ = 0;        ///< begun so far
     /// At the end of a step `none`, unless it gave up or something threw.
     Progress progress_ = Progress::none;
-    /// The whole has been kept up for the time and dt in `whole_`, and nothing has changed since.
+    /// The whole has been remeshed for the time and dt in `whole_`, and nothing has changed since.
     bool is_kept_up_ = false;
-    InShares in_shares_ = one_by_one; ///< where a class derived from this has no threads
+    InShares in_shares_ = one_by_one;             ///< unless a derived class has threads
     std::unique_ptr<InterfaceSight<Real>> sight_; ///< targets of the whole interface at once
 
 private:
-    std::vector<Edit> edits_;         ///< in the order of the sections, and there of `works_`
-    std::vector<Edit> taken_;         ///< those of the last `take_edits`; its room is used again
-    std::vector<std::uint32_t> poor_; ///< of the sections so far
+    std::vector<Edit> edits_;               ///< by section, then in the order of `works_`
+    std::vector<Edit> taken_;               ///< those of the last `take_edits`; keeps its memory
+    std::vector<std::uint32_t> poor_;       ///< of the sections so far
     std::vector<std::uint32_t> taken_poor_; ///< those of the last `take_poor`
 };
 
@@ -184,8 +185,8 @@ private:
 // Where the interface moves (thesis, algorithm 5.1, line 4), and the movement. The sequential
 // driver runs them for the whole complex at once, the parallel one for each submesh.
 
-/// Notes where the vertices of `work.interface` are, none of them held, and makes room for where
-/// they go. O(interface vertices).
+/// Stores the positions of `work.interface`, with no vertex held, and makes room for the targets.
+/// O(interface vertices).
 template <class Real>
 void begin_targets(Work<Real>& work);
 
@@ -200,20 +201,20 @@ template <class Real>
 Reach<Real> find_targets(Work<Real>& work, const Velocity<Real>& velocity, Real time, Real dt);
 
 /// Puts the vertices that have to move into `work.moving_vertices`; returns how many are held
-/// because their target is not finite. Locked vertices stay. A custom integrator is told which
-/// targets these are.
+/// because their target is not finite. Locked vertices stay. A custom integrator is then told to
+/// `accept` the targets.
 template <class Real>
 std::uint64_t collect_moving_vertices(Work<Real>& work);
 
-/// True once a vertex has missed its target three times in a row: something is in its way, and
-/// further attempts would be in vain.
+/// True once a vertex has missed its target three times in a row: it is blocked, and further
+/// attempts would fail.
 template <class Real>
 bool is_in_contact(const VertexRecord<Real>& record) {
     return (record.flags & vertex_contact) == vertex_contact;
 }
 
-/// The moving vertices that are left did not arrive, which is noted for each vertex. Those that
-/// have vanished are no moving vertices any more. Returns the number of the others.
+/// Notes for each remaining moving vertex that it did not arrive, and returns their number. Deleted
+/// ones, and those within rounding of their targets, are dropped first.
 template <class Real>
 std::uint64_t give_up_moving_vertices(Work<Real>& work);
 
@@ -225,13 +226,12 @@ template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);
 
-/// The stamp after `last`, which it becomes. After the greatest one, in 2^32 passes, the vertices
-/// lose theirs and it begins anew: O(mesh). For a work that has the complex to itself.
+/// Increments `last` and returns it. After the largest stamp, in 2^32 passes, all vertices lose
+/// theirs and stamps start again: O(mesh). Must not run beside other submeshes.
 template <class Real>
 std::uint32_t next_stamp(Complex<Real>& complex, std::uint32_t& last);
 
-/// No vertex has a stamp any more: those of another run must not be mistaken for this one's.
-/// O(mesh).
+/// Removes all stamps: those of another run must not be mistaken for this one's. O(mesh).
 template <class Real>
 void clear_stamps(Complex<Real>& complex);
 

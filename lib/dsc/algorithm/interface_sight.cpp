@@ -17,7 +17,7 @@ constexpr bool is_left(Phase one, Phase other) {
     return other == border_phase || (one != border_phase && one > other);
 }
 
-/// What a view says of a vertex because its record does.
+/// The flags of a view that come from the vertex record.
 constexpr std::uint8_t own_flags(std::uint32_t record) {
     const unsigned corner = (record & vertex_feature) != 0 ? unsigned{interface_feature} : 0U;
     const unsigned locked = (record & vertex_locked) != 0 ? unsigned{interface_locked} : 0U;
@@ -73,7 +73,8 @@ bool InterfaceGraph<Real>::has_number(const Complex<Real>& complex, std::uint32_
     return slot < vertices_.size() && vertices_[slot] == Vertex{v};
 }
 
-// A vertex of a curve, whose star need not be walked round. False if it is none.
+// Connects an ordinary vertex of a curve by its kept star, without a walk. False if it is not one,
+// or the star has changed.
 template <class Real>
 bool InterfaceGraph<Real>::connect_cached(const Complex<Real>& complex, std::size_t i,
                                           const CachedStar& star) {
@@ -92,8 +93,8 @@ bool InterfaceGraph<Real>::connect_cached(const Complex<Real>& complex, std::siz
     return true;
 }
 
-// The arms of each vertex are collected at the end of the list of its range, and stay there if they
-// form a junction.
+// Collects the arms of a vertex at the end of its range's list; they stay there if the vertex is a
+// junction.
 template <class Real>
 void InterfaceGraph<Real>::connect_one(const Complex<Real>& complex, std::size_t i,
                                        Junctions& found) {

@@ -27,17 +27,17 @@ public:
     void resize(std::size_t vertices, std::size_t ranges);
     /// Numbers the vertices of `list` from `begin` on. O(list).
     void number(Complex<Real>& complex, std::span<const std::uint32_t> list, std::size_t begin);
-    /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. A neighbour
-    /// without a number is left out: a pass of the application may just have put it on the
-    /// interface, and it is listed from the next sub-step on. `stars` are those that remeshing has
-    /// kept of vertices in the list, in its order. O(stars).
+    /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. Neighbours
+    /// without a number are omitted: a pass of the application may just have put them on the
+    /// interface, and they are listed from the next sub-step on. `stars` are those that remeshing
+    /// has kept of vertices in the list, in its order. O(stars).
     void connect(const Complex<Real>& complex, std::size_t range, std::size_t begin,
                  std::size_t end, std::span<const CachedStar> stars);
-    /// Puts the junctions of all ranges together. O(junctions).
+    /// Concatenates the junctions of all ranges. O(junctions).
     void join();
 
-    /// `positions`: those of the stage, one for each vertex. What is returned refers to all of
-    /// this.
+    /// `positions`: those of the stage, one for each vertex. The view refers to the graph and the
+    /// arguments.
     [[nodiscard]] InterfaceView<Real> view(const Complex<Real>& complex,
                                            std::span<const Point<Real>> positions,
                                            const InShares& in_shares = one_by_one) const;
@@ -62,17 +62,17 @@ private:
     std::vector<Junctions> found_; // by range
 };
 
-/// Aims the whole interface at once by a flow of any kind. Reuses its memory.
+/// Computes the targets of the whole interface at once, for any kind of flow. Reuses its memory.
 template <class Real>
 class InterfaceSight : public Unmovable {
 public:
-    /// `in_shares`: the threads of each step; outlives it.
+    /// `in_shares`: the threads of each step; must outlive this object.
     explicit InterfaceSight(const InShares& in_shares) : in_shares_(in_shares) {}
 
-    /// Finds the velocities of `work.interface` at `time`, and targets at time + dt. It must be the
-    /// whole interface, and is divided into ranges that end at `ends`: a flow that sees the
-    /// interface is asked for each of them. O(its stars), shared among the ranges, if the flow sees
-    /// it; else O(interface vertices).
+    /// Finds the velocities of `work.interface` at `time`, and targets at time + dt. The list must
+    /// be the whole interface; it is divided into ranges that end at `ends`, and an `InterfaceFlow`
+    /// is called for each range. O(stars of the interface), shared among the ranges, if the flow
+    /// depends on the interface; else O(interface vertices).
     TargetReport<Real> compute_targets(Work<Real>& work, std::span<const std::size_t> ends,
                                        const Flow<Real>& flow, Real time, Real dt);
     /// New targets of the same work and flow for another dt. A vertex that is held stays held.

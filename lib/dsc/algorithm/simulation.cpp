@@ -47,7 +47,7 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
                               .allowed = "one that make_executor made for this complex"});
         }
         executor_->set_options(completed());
-        // What the application has edited since the executor was made is in no journal.
+        // Edits of the application since the executor was made are in no journal.
         executor_->absorb(std::array{Edit{.kind = EditKind::rebuild}});
     } else {
         executor_ =
@@ -85,7 +85,7 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
         forget();
     }
     if (!was_uniform) {
-        executor_->resize(out_of_size(complex_, options_)); // if all are of one length now
+        executor_->resize(out_of_size(complex_, options_)); // sizes may have become uniform
     }
     measure(0);
 }
@@ -97,8 +97,8 @@ void Simulation<Real>::begin_integrator() {
     }
 }
 
-// Where no longest edge is given, the extent of the mesh is the bound: without an interface,
-// targets would rise for ever.
+// Without `sizes.longest`, the extent of the mesh is the bound: in a mesh without an interface,
+// targets would grow for ever.
 template <class Real>
 Options<Real> Simulation<Real>::completed() const {
     Options<Real> options = options_;
@@ -108,7 +108,7 @@ Options<Real> Simulation<Real>::completed() const {
     return options;
 }
 
-// The targets of all edges. O(mesh), if they are not of one length.
+// Measures the targets of all edges, unless sizes are uniform. O(mesh).
 template <class Real>
 void Simulation<Real>::measure(Real time) {
     if (!options_.sizes.is_uniform()) {
@@ -117,10 +117,9 @@ void Simulation<Real>::measure(Real time) {
     }
 }
 
-// Looks at all vertices in turn, a few in each step. What a flip or smoothing changes around a
-// vertex may change its target without a visit; without the sweep a single vertex that waits would
-// hold down all those around it. Most vertices of such a mesh are near the interface and visited
-// anyway.
+// Visits all vertices in turn, a few in each step. Flips and smoothing nearby may change the target
+// of a vertex that no pass visits; without the sweep, a single stale target would limit all those
+// around it. Most vertices of a graded mesh are near the interface and visited anyway.
 template <class Real>
 void Simulation<Real>::sweep() {
     constexpr std::uint32_t steps = 32; // for the whole mesh
@@ -144,7 +143,7 @@ void Simulation<Real>::add_listener(EditListener listener) {
 template <class Real>
 void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
     if (stage == nullptr) {
-        throw InputError({.what = "no stage",
+        throw InputError({.what = "null stage",
                           .where = "Simulation::add_stage",
                           .value = "null",
                           .allowed = "an object of a class that is derived from Stage"});
@@ -181,7 +180,8 @@ void Simulation<Real>::tell_what_was_done() {
     }
 }
 
-// What the application did since the last step, or what a stage did just now. O(their edits).
+// Absorbs the edits of the application since the last step, or of the stage that has just run.
+// O(edits).
 template <class Real>
 void Simulation<Real>::absorb(By by, Real time) {
     EditLog& journal = complex_.journal;
@@ -199,15 +199,16 @@ void Simulation<Real>::absorb(By by, Real time) {
         }
         measure(time);
     }
-    // A new interface edge of the application may make a sharp turn, which is a corner from now on;
-    // the sharp turn at the end of a seam is not.
+    // A sharp turn in a new interface edge of the application is a feature from now on. The sharp
+    // turn at the end of a seam, which a stage makes, is not.
     if (by == By::application) {
         mark_features(complex_, on_interface(complex_, interface_changes(after)),
                       options_.interface.feature_degrees,
                       static_cast<Real>(feature_arc) *
                           finest_on_interface(options_.sizes, options_.edge_length));
     }
-    // Between other phases a vertex goes on in another way: its last step no longer counts.
+    // A vertex that lies between other phases now moves differently: an integrator must forget its
+    // past.
     if (options_.custom_integrator) {
         forget_past(interface_changes(after));
     }
@@ -226,13 +227,13 @@ void Simulation<Real>::absorb(By by, Real time) {
 }
 
 // After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
-// try again. Returns how many of these have arrived now, or are no longer to be moved.
+// try again. Returns how many of these have now arrived, or need not move any more.
 template <class Real>
 std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unreached,
                                            bool has_missed) {
     bool has_edited = false;
     gone_.clear();
-    tell_what_was_done(); // what the sub-step did comes first
+    tell_what_was_done(); // edits of the sub-step come first
     for (const auto& stage : stages_) {
         to_stages_.clear();
         executor_->append_interface(to_stages_);
@@ -293,16 +294,16 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .allowed = "a finite time and a step of 0 or more"});
     }
     if (dt == 0 && flow.motion() != nullptr) {
-        throw InputError({.what = "a motion of the whole interface in no time",
+        throw InputError({.what = "dt must be positive for an InterfaceMotion",
                           .where = "Simulation::step",
                           .value = "0",
                           .allowed = "a step of more than 0: displacements are divided by it"});
     }
     if (!options_.advected_phases.empty() && flow.velocity() == nullptr) {
-        throw InputError({.what = "a flow that is not known inside a phase",
+        throw InputError({.what = "this flow is not defined inside a phase",
                           .where = "Simulation::step",
-                          .value = "advected_phases, and a flow that sees the interface",
-                          .allowed = "a velocity of positions where phases are advected"});
+                          .value = "advected_phases with an InterfaceFlow or InterfaceMotion",
+                          .allowed = "a Velocity, or no advected_phases"});
     }
     StepReport report;
     absorb(By::application, time);
@@ -332,13 +333,13 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
         throw;
     }
     executor_->end_step();
-    tell_what_was_done(); // a sub-step that gives up has done its remeshing
+    tell_what_was_done(); // a sub-step that gave up has remeshed
     report.operations = executor_->take_counts();
     report.operations += std::exchange(complex_.journal.counts, {}); // of stages
     report.reached = static_cast<double>(time);
     if (options_.advected_phases.empty()) {
         report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
-    } else { // as `interface_size`, in room that is kept
+    } else { // as `interface_size`, without allocating
         to_sweep_.clear();
         executor_->append_interface(to_sweep_);
         report.interface_vertices = static_cast<std::uint32_t>(std::ranges::count_if(
@@ -384,9 +385,8 @@ template <class Real>
 bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
                                 StepReport& report) {
     const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
-    // Aimed with the speed of the sub-step before, which is nearly always right: the velocities and
-    // the targets are then found in one call, and submeshes need not wait for each other in
-    // between.
+    // dt from the speed of the last sub-step, which is nearly always right: one call then finds
+    // velocities and targets, and submeshes need not wait for each other in between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
     TargetReport<Real> targets = executor_->compute_targets(flow, time, dt);
     complex_.attributes.failure.rethrow();
@@ -425,7 +425,7 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
     report.passes += moved.passes;
     ++report.sub_steps;
     remaining = dt < remaining ? remaining - dt : Real(0);
-    time = remaining > 0 ? time + dt : end; // not what rounding makes of the sum
+    time = remaining > 0 ? time + dt : end; // without the rounding of the sum
     std::uint64_t left = moved.unreached - moved.held;
     if (!stages_.empty()) {
         const std::uint64_t freed = run_stages(time, dt, targets.held + moved.unreached, left > 0);
@@ -433,15 +433,15 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
         left -= std::min(left, freed);
     }
     if (left > 0 && moved.passes >= static_cast<std::uint32_t>(options_.max_passes)) {
-        report.gave_up = GiveUp::too_many_passes; // what is left has been counted
+        report.gave_up = GiveUp::too_many_passes; // unreached vertices have been counted
         return false;
     }
     return true;
 }
 
 // The speed may rise within the step, and the error may be too large: then the sub-step is made
-// shorter, a bounded number of times. Errors that do not decrease come from a flow without
-// derivatives; they are reported.
+// shorter, a bounded number of times. Errors that do not decrease come from a flow that is not
+// differentiable; they are reported.
 template <class Real>
 Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach) {
     constexpr int max_halvings = 6;
@@ -467,8 +467,8 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
 }
 
 // Where the velocity jumps, the estimate falls in proportion to dt, not with a higher power of it:
-// what crosses the jump would be followed in steps of a few tolerances. A flow may be rough for a
-// moment, so that the step goes on for a while.
+// vertices that cross the jump would move by a few tolerances per sub-step. Since a flow may be
+// rough for a moment only, the step goes on for a while.
 template <class Real>
 bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
                                     const TargetReport<Real>& targets) {
@@ -506,7 +506,7 @@ void Simulation<Real>::transfer(Archive& archive) {
     std::uint64_t absorbed = absorbed_;
     archive(absorbed);
     archive.expect(absorbed <= complex_.journal.records.size(),
-                   "has read edits that were not made");
+                   "more edits read than the journal holds");
     absorbed_ = static_cast<std::size_t>(absorbed);
     executor_->archive(archive);
     for (const auto& stage : stages_) {

@@ -16,8 +16,8 @@ IntegratorStep<Real> step_of(Work<Real>& work) {
             trajectory.targets, trajectory.held, trajectory.dt};
 }
 
-// The number of the star that remeshing has kept of the next vertex in the list of the interface,
-// if it is still what it was.
+// The number of the kept star of v, the next vertex in the interface list; no_id if there is none,
+// or it has changed.
 template <class Real>
 std::uint32_t star_of(const Work<Real>& work, std::uint32_t v, std::uint32_t& next) {
     if (next == work.stars.size() || work.stars[next].vertex != v) {

@@ -12,7 +12,7 @@ void Archive::raw(void* data, std::size_t size) {
         bytes_.append(static_cast<const char*>(data), size);
         return;
     }
-    expect(size <= bytes_.size() - at_, "ends too early");
+    expect(size <= bytes_.size() - at_, "unexpected end of data");
     std::memcpy(data, bytes_.data() + at_, size);
     at_ += size;
 }
@@ -20,7 +20,7 @@ void Archive::raw(void* data, std::size_t size) {
 std::uint64_t Archive::length(std::uint64_t size, std::size_t least) {
     raw(&size, sizeof size);
     if (is_reading_) {
-        expect(size <= (bytes_.size() - at_) / least, "ends too early");
+        expect(size <= (bytes_.size() - at_) / least, "unexpected end of data");
     }
     return size;
 }
@@ -29,7 +29,9 @@ void Archive::refuse(const std::string& problem) const {
     throw FileError(problem, name_.empty() ? "archive" : name_);
 }
 
-void Archive::expect_end() const { expect(at_ == bytes_.size(), "goes on after its end"); }
+void Archive::expect_end() const {
+    expect(at_ == bytes_.size(), "trailing bytes after the last value");
+}
 
 void archive(Archive& archive, std::string& text) {
     const std::uint64_t size = archive.length(text.size(), 1);

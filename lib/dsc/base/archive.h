@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// State as bytes. One function lists the parts of a value; it both writes and reads them, so that
-// the two cannot drift apart:
+// Serialisation. One function lists the members of a value, for writing and for reading, so that
+// the two cannot disagree:
 //
 //     void archive(Archive& archive, Ball& ball) { archive(ball.place, ball.radius); }
 //
-// Bytes are little endian, as the machine must be; numbers keep their bits. Input is not trusted: a
-// length beyond the end, a flag that is neither 0 nor 1, or a choice that does not exist is
-// refused.
+// Little-endian machines only; numbers keep their bits. Input is not trusted: a length beyond the
+// end, a flag that is neither 0 nor 1, or a number outside its enum throws FileError.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -24,7 +23,7 @@ class Archive {
 public:
     /// Writes.
     Archive() = default;
-    /// Reads. `name` is what errors call these bytes: the path of their file.
+    /// Reads. Errors refer to these bytes by `name`, the path of their file.
     Archive(std::string bytes, std::string name)
         : bytes_(std::move(bytes)), name_(std::move(name)), is_reading_(true) {}
 
@@ -38,12 +37,12 @@ public:
     void operator()(Values&... values) {
         (visit(values), ...);
     }
-    /// A choice of `count`: an enum or a number, from 0 to count - 1.
+    /// An enum or a number from 0 to count - 1.
     template <class Choice>
     void choice(Choice& value, std::uint32_t count) {
         auto number = static_cast<std::uint32_t>(value);
         raw(&number, sizeof number);
-        expect(number < count, "names a choice that does not exist");
+        expect(number < count, "number outside its enum");
         value = static_cast<Choice>(number);
     }
     /// Records without padding, as they lie in memory. O(list), and fast.
@@ -58,28 +57,28 @@ public:
             raw(list.data(), count * sizeof(Record));
         }
     }
-    /// The length of a list whose entries take `least` bytes or more: writes `size`, or returns
-    /// what has been read.
+    /// Writes `size`, the length of a list, or reads a length and returns it. Each entry takes at
+    /// least `least` bytes: a length that the rest of the bytes cannot hold is refused.
     [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
     /// `size` bytes, as they lie in memory.
     void raw(void* data, std::size_t size);
 
-    /// Refuses what has been read unless the condition holds.
+    /// Throws FileError with this problem unless the condition holds.
     void expect(bool condition, const char* problem) const {
         if (!condition) {
             refuse(problem);
         }
     }
-    /// Throws FileError: the bytes are not what was written, or belong to something else.
+    /// Throws FileError: the bytes are damaged, or were written by something else.
     [[noreturn]] void refuse(const std::string& problem) const;
-    /// To be called after the last value has been read: nothing may be left.
+    /// Call after reading the last value: throws FileError if bytes are left.
     void expect_end() const;
 
 private:
     template <class Value>
     void visit(Value& value) {
         constexpr int deepest = 64; // a file must not be able to exhaust the stack
-        expect(++depth_ < deepest, "is nested too deeply");
+        expect(++depth_ < deepest, "values nested too deeply");
         archive(*this, value);
         --depth_;
     }
@@ -91,9 +90,8 @@ private:
     bool is_reading_ = false;
 };
 
-/// Has `transfer(archive)` read its values as a whole or not at all: where it throws, what was
-/// there before is read back. Writes as `transfer` does. Reading takes the memory of what was
-/// there.
+/// Calls `transfer(archive)`. If it throws while reading, the values are restored to what they
+/// were, from a backup in memory, and the exception is passed on.
 template <class Transfer>
 void as_a_whole(Archive& archive, const Transfer& transfer) {
     Archive before;
@@ -104,14 +102,14 @@ void as_a_whole(Archive& archive, const Transfer& transfer) {
         transfer(archive);
     } catch (...) {
         if (archive.is_reading()) {
-            Archive again(before.bytes(), "what was there before");
+            Archive again(before.bytes(), "backup of the values before");
             transfer(again);
         }
         throw;
     }
 }
 
-/// What an archive can hold.
+/// A type that has an `archive` function.
 template <class Value>
 concept Archivable = requires(Archive& bytes, Value& value) {
     archive(bytes, value);

@@ -29,7 +29,7 @@ inline constexpr std::array renamed_options{
     RenamedOption{"least_area", "min_area"}, RenamedOption{"least_pixels", "min_pixels"},
     RenamedOption{"least", "min"},           RenamedOption{"most", "max"}};
 
-/// The entry with this old name; a null pointer if it is none.
+/// The entry with this old name; null if there is none.
 [[nodiscard]] constexpr const RenamedOption* renamed_option(std::string_view old) {
     const auto* found = std::ranges::find(renamed_options, old, &RenamedOption::old);
     return found == renamed_options.end() ? nullptr : found;

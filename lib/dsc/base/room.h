@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Room in arrays that a step fills anew. `assign`, a copy, and `insert` after `clear` make room for
-// exactly what they are given: while an interface grows by a few vertices in each step, they would
-// allocate in each of them.
+// Vectors that every step refills. `std::vector::assign`, a copy, or `insert` after `clear` may
+// allocate exactly as much as they need: while an interface grows by a few vertices per step, they
+// would allocate in every step.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace dsc {
 
-/// Makes room for `size` entries: twice the room there was, or more. Amortised O(1) for each entry.
+/// Reserves room for `size` entries; where it must grow, the capacity at least doubles. Amortised
+/// O(1) for each entry.
 template <class T>
 void have_room(std::vector<T>& list, std::size_t size) {
     if (size > list.capacity()) {

@@ -7,8 +7,8 @@
 //                        the attribute's default
 //   triangle attributes  the parts of a split triangle inherit; a flip keeps the value of the id
 //
-// An application that needs more (a quantity that is shared out, say, or storage of its own)
-// derives a class from `AttributeBase`.
+// An application that needs more (a conserved quantity, say, or storage of its own) derives a class
+// from `AttributeBase`.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -57,14 +57,15 @@ inline constexpr SimplexKind kind_of = HandleKind<Simplex>::value;
 /// What happens to a field's value at a vertex that moves with the interface.
 enum class OnInterface : std::uint8_t {
     sampled,  ///< the vertex takes the value of its new place, as everywhere
-    advected, ///< the vertex keeps its value: known on the interface and behind it only
+    advected, ///< the vertex keeps its value, which matters on the interface and behind it only
 };
 
 /// The base class of attributes: a complex and its operations report every edit to it. Entries are
 /// named by vertex ids, corners (four to a triangle; both corners opposite to an edge are its
 /// entries) or triangle ids. Operations on disjoint submeshes run at the same time: a function that
-/// is told of an edit may touch only the entries named, and shared data only under a lock. What it
-/// throws comes out when the edit is done (`AttributeSet::failure`); its entry is what it left.
+/// handles an edit may access only the entries named, and shared data only under a lock. An
+/// exception that it throws is rethrown after the edit (`AttributeSet::failure`); its entry stays
+/// as it left it.
 class AttributeBase : public Unmovable {
 public:
     /// The name and the kind do not change.
@@ -119,14 +120,14 @@ public:
     }
 
     // --- edits of triangles
-    /// `to` is new, and was cut off `from`; `share` is its part of the area of both.
+    /// `to` is new, cut off from `from`; `share` is its fraction of their total area.
     virtual void split(std::uint32_t to, std::uint32_t from, [[maybe_unused]] double share) {
         copy(to, from);
     }
     /// `gone` vanishes; `into` is one of the triangles that take its place.
     virtual void merge([[maybe_unused]] std::uint32_t into, [[maybe_unused]] std::uint32_t gone) {}
-    /// The common edge of the two triangles was flipped to the other diagonal; `share` is the part
-    /// of `one` in the area of both.
+    /// The common edge of the two triangles was flipped to the other diagonal; `share` is the
+    /// fraction of `one` in their total area.
     virtual void flip([[maybe_unused]] std::uint32_t one, [[maybe_unused]] std::uint32_t other,
                       [[maybe_unused]] double share) {}
 
@@ -155,7 +156,7 @@ public:
 
     /// The value of a simplex, which is not checked. O(1).
     [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
-    /// The same, to be changed. Not for edges, which have two entries: see `set`.
+    /// The same, writable. Not for edges, which have two entries: see `set`.
     [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
     /// Writes both entries of a living edge of this complex.
     template <class AnyComplex>
@@ -172,7 +173,7 @@ public:
     /// All values, by id (edges: by corner, both entries equal). `Eigen::Map` over data().data()
     /// costs nothing.
     [[nodiscard]] std::vector<T>& data() { return data_; }
-    /// The same, to be read.
+    /// The same, read-only.
     [[nodiscard]] const std::vector<T>& data() const { return data_; }
 
     [[nodiscard]] std::size_t size() const override { return data_.size(); }

@@ -24,7 +24,7 @@ void AttributeFailure::note() noexcept {
     }
 }
 
-void AttributeFailure::take() {
+void AttributeFailure::throw_kept() {
     std::exception_ptr first;
     {
         const std::scoped_lock lock(mutex_);
@@ -71,7 +71,7 @@ AttributeSet& AttributeSet::operator=(const AttributeSet& other) {
 
 void AttributeSet::insert(std::unique_ptr<AttributeBase> attribute) {
     if (attribute == nullptr) {
-        refuse("", "no attribute");
+        refuse("", "null pointer");
     }
     if (find(attribute->name()) != nullptr) {
         refuse(attribute->name(), "an attribute of that name exists");
@@ -168,14 +168,15 @@ void AttributeSet::swap_entries(AttributeSet& other) noexcept {
 void AttributeSet::archive(Archive& archive) {
     std::uint64_t count = list_.size();
     archive(count, vertex_bound_, triangle_bound_);
-    archive.expect(count == list_.size(), "holds other attributes");
+    archive.expect(count == list_.size(), "the attributes differ from those of this complex");
     for (const auto& listed : list_) {
         std::string name = listed->name();
         SimplexKind kind = listed->kind();
         archive(name);
         archive.choice(kind, 3);
         AttributeBase* const attribute = find(name);
-        archive.expect(attribute != nullptr && kind == attribute->kind(), "holds other attributes");
+        archive.expect(attribute != nullptr && kind == attribute->kind(),
+                       "the attributes differ from those of this complex");
         attribute->archive(archive);
     }
 }

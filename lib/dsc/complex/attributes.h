@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The attributes of a complex: added and found by name, told of every edit. A complex without
+// The attributes of a complex: added and found by name, notified of every edit. A complex without
 // attributes of a kind pays one predictable branch for each edit of that kind.
 #pragma once
 
@@ -14,27 +14,28 @@
 
 namespace dsc {
 
-/// What attributes threw in edits, from any thread. It belongs to the object, not to its value.
+/// The first exception that an attribute threw in an edit, on any thread. It is not copied or moved
+/// with its object.
 class AttributeFailure {
 public:
     AttributeFailure() = default;
-    /// Nothing was thrown.
+    /// Starts without an exception.
     AttributeFailure(const AttributeFailure& /*other*/) noexcept {}
     /// Changes nothing.
     AttributeFailure& operator=(const AttributeFailure& /*other*/) noexcept { return *this; }
     ~AttributeFailure() = default;
 
-    /// Keeps the exception that is being handled, unless there is one already.
+    /// Keeps the exception being handled, unless another is kept already.
     void note() noexcept;
-    /// Throws it, once. O(1).
+    /// Throws the exception kept, if any, and drops it. O(1).
     void rethrow() {
         if (is_there_.load(std::memory_order_relaxed)) [[unlikely]] {
-            take();
+            throw_kept();
         }
     }
 
 private:
-    void take();
+    void throw_kept();
 
     std::atomic<bool> is_there_ = false;
     std::mutex mutex_;
@@ -54,9 +55,9 @@ public:
     ~AttributeSet() = default;
 
     /// Adds an attribute, `add<Vertex>("heat", 20.0)`, and returns it; the reference stays valid
-    /// until the attribute is removed or its complex is gone. Throws InputError if the name is
-    /// taken. `blend` empty: linear for floating point numbers and Eigen vectors, otherwise the
-    /// value of the first vertex.
+    /// until the attribute or its complex is destroyed. Throws InputError if the name is taken.
+    /// `blend` empty: linear for floating point numbers and Eigen vectors, otherwise the value of
+    /// the first vertex.
     template <SimplexHandle Simplex, class T>
     Attribute<T, Simplex>& add(std::string name, T initial,
                                std::type_identity_t<Blend<T>> blend = {});
@@ -82,7 +83,7 @@ public:
     [[nodiscard]] Attribute<T, Simplex>& get(std::string_view name) {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
     }
-    /// The same, to be read.
+    /// The same, read-only.
     template <SimplexHandle Simplex, class T>
     [[nodiscard]] const Attribute<T, Simplex>& get(std::string_view name) const {
         return cast<Attribute<T, Simplex>>(name, kind_of<Simplex>);
@@ -101,7 +102,7 @@ public:
     [[nodiscard]] bool empty(SimplexKind kind) const { return counts_[index(kind)] == 0; }
     /// Whether an attribute of the vertices is a field (`AttributeBase::is_field`). O(attributes).
     [[nodiscard]] bool has_fields() const;
-    /// All of them, in the order in which they were added.
+    /// All attributes, in the order in which they were added.
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
     /// How many entries an attribute of that kind has where ids are below these bounds.
@@ -112,15 +113,15 @@ public:
                                            : triangle_bound;
     }
 
-    /// What an attribute throws in an edit does not tear the edit: the mesh, its log and the other
-    /// attributes are what they are without the exception. The operation that was called with a
-    /// handle throws it at its end, a simulation at the end of its sub-step.
+    /// An exception of an attribute does not interrupt the edit: the mesh, its log and the other
+    /// attributes end up as without it. An operation called with a handle rethrows it at its end, a
+    /// simulation at the end of its sub-step.
     AttributeFailure failure;
 
     // --- called by the operations; nothing happens if there is no attribute of the kind
-    /// There are ids up to `bound` now.
+    /// All ids are now below `bound`.
     void resize_vertices(std::size_t bound);
-    /// There are ids up to `bound` now.
+    /// All ids are now below `bound`.
     void resize_triangles(std::size_t bound);
     /// Reserves room for that many entries, so that growth up to that number copies nothing; also
     /// in attributes that are added later.
@@ -153,7 +154,7 @@ public:
     void copy_triangle(std::uint32_t to, std::uint32_t from) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.copy(to, from); });
     }
-    /// See AttributeBase; `share()` is only called if there is an attribute to tell.
+    /// See AttributeBase; `share()` is called only if there is an attribute of this kind.
     template <class Share>
     void split_triangle(std::uint32_t to, std::uint32_t from, Share share) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.split(to, from, share()); });
@@ -175,9 +176,9 @@ public:
     /// Swaps the entries with a set that `without_entries` made; the attributes stay where they
     /// are.
     void swap_entries(AttributeSet& other) noexcept;
-    /// Writes the entries of all attributes, or reads them back into a set that has the same ones,
-    /// in any order. Throws FileError where it has others, InputError for one that cannot be
-    /// archived.
+    /// Writes the entries of all attributes, or reads them back into a set with the same
+    /// attributes, in any order. Throws FileError if the attributes differ, InputError if one
+    /// cannot be archived.
     void archive(Archive& archive);
 
 private:

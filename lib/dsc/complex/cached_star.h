@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stars that are kept from the interface remeshing to the movement. As long as no edit has changed
-// it, such a star is gathered again without a walk from triangle to triangle, and its neighbours on
-// the interface are known.
+// Stars that the interface remeshing keeps for the movement. Unless an edit has changed it since,
+// such a star is gathered again without a walk from triangle to triangle, and its neighbours on the
+// interface are known.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -24,10 +24,10 @@ struct CachedStar {
     IncidentEdges incident;       ///< those of the interface
     Phase left = border_phase;    ///< of the first of these incident edges, seen from the centre
     Phase right = border_phase;   ///< of the same one
-    std::array<std::uint32_t, capacity> link; ///< ids; from `size` on the first one again
+    std::array<std::uint32_t, capacity> link; ///< ids; the first one repeated from `size` on
 
-    /// Whether the star is what it was: each edit puts the centre into an active set, and that
-    /// gives it another stamp. O(1).
+    /// Whether the star is unchanged: each edit of it activates its centre, which sets another
+    /// stamp. O(1).
     template <class Real>
     [[nodiscard]] bool is_unchanged(const Complex<Real>& complex) const {
         return complex.vertices[vertex].stamp == stamp;
@@ -36,7 +36,7 @@ struct CachedStar {
 
 namespace detail {
 
-/// Whether the region owns the vertices of a link and its centre, where they are now.
+/// Whether the region owns the centre and the link at their current positions.
 template <class Real>
 bool owns_cached(const Complex<Real>& complex, const Region& region, const CachedStar& kept) {
     const auto is_owned = [&](std::uint32_t v) { return owns(complex, region, v); };
@@ -46,7 +46,7 @@ bool owns_cached(const Complex<Real>& complex, const Region& region, const Cache
 
 } // namespace detail
 
-/// Keeps a closed star that has room. O(1).
+/// A copy of a closed star that fits. O(1).
 template <class Real>
 CachedStar cache_star(const Complex<Real>& complex, const Star<Real>& star,
                       const IncidentEdges& incident) {
@@ -63,9 +63,9 @@ CachedStar cache_star(const Complex<Real>& complex, const Star<Real>& star,
     return kept;
 }
 
-/// Gathers what movement reads of a kept star whose centre the region owns, with its vertices where
-/// they are now: centre, link and coordinates, but no corners, phases and predecessors. If the
-/// region does not own all of the star, `owned` is false and nothing else was written. O(1).
+/// Gathers the part of a kept star that movement reads: centre, link and current coordinates, but
+/// no corners, phases and predecessors. The region must own the centre; if it does not own the
+/// whole star, `owned` becomes false and nothing else is written. O(1).
 template <class Real>
 void gather_cached(const Complex<Real>& complex, const Region& region, const CachedStar& kept,
                    Star<Real>& star) {

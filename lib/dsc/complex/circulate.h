@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circulation: from triangle to triangle about a vertex, from edge to edge along a curve, and what
-// a guard learns in one turn about a vertex. Works for any degree; the star is not gathered.
+// Circulation: from triangle to triangle about a vertex, from edge to edge along a curve, and the
+// summary of a star that guards need. Works for any degree; the star is not gathered.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -114,7 +114,8 @@ template <class Real, class IsEdge>
     return c;
 }
 
-/// The step back: to the previous half-edge, which ends where that of `c` begins. O(degree).
+/// The step in the other direction: to the previous half-edge, which ends where that of `c` begins.
+/// O(degree).
 template <class Real, class IsEdge>
 [[nodiscard]] Corner previous_along(const Complex<Real>& complex, Corner c, IsEdge is_edge) {
     c = prev(c);
@@ -124,8 +125,8 @@ template <class Real, class IsEdge>
     return c;
 }
 
-/// What one turn about a vertex tells: whether the domain ends there, whether the submesh owns the
-/// whole star, and how many interface edges meet there.
+/// The summary of a star: whether the vertex is on the domain boundary, whether the submesh owns
+/// the whole star, and how many interface edges meet at the vertex.
 struct StarSummary {
     bool on_boundary = false;          ///< the domain ends at the vertex
     bool owned = true;                 ///< every triangle of the star is in the submesh
@@ -159,7 +160,7 @@ StarSummary for_each_interface_edge(const Complex<Real>& complex, std::uint32_t 
                                     Visit visit) {
     return turn(complex, vertex, [&](Corner c) {
         // Each incident edge once: the clockwise one of each triangle, and the last one of an open
-        // fan.
+        // star.
         const Corner cw = complex.twin(prev(c));
         if (is_interface_pair(complex.phase_at(c), complex.phase_at(cw))) {
             visit(complex.vertex(next(c)));

@@ -54,7 +54,7 @@ template <class Real>
 Complex<Real>& Complex<Real>::operator=(Complex&& other) noexcept {
     if (this != &other) {
         Complex empty;
-        journal = empty.journal; // tells the readers that another mesh is there
+        journal = empty.journal; // tells the readers that the mesh was replaced
         other.journal = empty.journal;
         attributes = std::exchange(other.attributes, std::move(empty.attributes));
         vertices = std::exchange(other.vertices, {});
@@ -116,7 +116,7 @@ void append(std::vector<Record>& records, const Record& record, Resize resize) {
 
 } // namespace
 
-// New ids go to the end of the pool that is taken from last.
+// New ids go to the front of the pool: ids are taken from its back.
 template <class Real>
 void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total) {
     while (pool.vertices.size() < vertex_total) {

@@ -18,7 +18,7 @@
 
 namespace dsc {
 
-/// What was done.
+/// What an edit did.
 enum class EditKind : std::uint8_t {
     flip,            ///< an edge became the other diagonal of its two triangles
     split,           ///< a new vertex on an edge
@@ -113,14 +113,14 @@ struct OperationCounts {
 /// thread that calls `Simulation::step`, between sub-steps; must not change the complex.
 using EditListener = std::function<void(std::span<const Edit> edits)>;
 
-/// Counts edits, and keeps their records while there is a reader. Readers read the log of one
-/// complex, and stay with it: a log that is copied or moved to another place is empty there.
+/// Counts edits, and keeps their records while there is a reader. Readers stay with the complex
+/// whose log they read: a copied or moved log starts empty.
 class EditLog {
 public:
     EditLog() = default;
     /// A copy is empty and has no reader.
     EditLog(const EditLog& /*other*/) noexcept {}
-    /// Another mesh takes the complex's place: readers find a `rebuild` after the records so far.
+    /// The complex is replaced by another mesh: readers find a `rebuild` after the records so far.
     EditLog& operator=(const EditLog& other);
     ~EditLog() = default;
 
@@ -129,8 +129,8 @@ public:
     std::uint32_t readers = 0; ///< records are kept while there are any: see `LogReader`
 };
 
-/// Makes a log keep its records while this object lives. The last reader empties the log when it
-/// ends, also by an exception. The log must outlive its readers.
+/// Makes a log keep its records while this object lives. The destructor of the last reader empties
+/// the log. The log must outlive its readers.
 class LogReader : public Unmovable {
 public:
     /// Reads the edits from now on.

@@ -92,7 +92,7 @@ IncidentEdges interface_edges_of(const Star<Real>& star) {
     if (star.closed) {
         const std::uint64_t rest = star.changes & (star.changes - 1);
         if (rest == 0) {
-            return incident; // round a closed star the phase changes twice, or not at all
+            return incident; // round a closed star the phase changes at least twice, or not at all
         }
         if ((rest & (rest - 1)) == 0) {
             return {2, static_cast<std::uint32_t>(std::countr_zero(star.changes)),
@@ -154,7 +154,7 @@ struct Bounds {
     }
 };
 
-/// Writes a star into a star, triangle by triangle, counter-clockwise.
+/// Fills in a `Star`, triangle by triangle, counter-clockwise.
 template <Owned how, class Real>
 class StarWriter {
 public:
@@ -227,7 +227,7 @@ public:
         const Real y_previous = r.y[closed ? n - 1 : 0];
         r.x_previous[0] = x_previous;
         r.y_previous[0] = y_previous;
-        // Eight lanes whatever n is: mostly more than the padding needs, but without a loop.
+        // Always eight lanes: usually more than the padding needs, but without a loop.
         fill(r.x, n, x);
         fill(r.y, n, y);
         fill(r.x_next, n, r.x_next[0]);
@@ -261,8 +261,7 @@ private:
     std::uint64_t changes_ = 0;
 };
 
-/// Gathers a star at the end of the domain, which has a first and a last triangle. Returns false if
-/// it does not fit.
+/// Gathers an open star, from its first triangle to its last. Returns false if it does not fit.
 template <Owned how, class Real>
 [[gnu::noinline]] bool gather_open_star(const Complex<Real>& complex, const Region& region,
                                         Corner start, Star<Real>& star) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Free ids. They are part of a complex's value: also those that submeshes use while they run in
-// parallel lie in the complex, so that it can be copied, renumbered, replaced or read back at any
-// time. Whoever was lent a pool keeps the generation in which that was, and has none once the
-// complex has another.
+// Free ids. They are part of a complex's value, including those lent to submeshes that run in
+// parallel, so that a complex can be copied, renumbered, replaced or restored at any time. A
+// borrower records the generation in which its pool was lent; in a later generation that pool no
+// longer exists.
 #pragma once
 
 #include <cstdint>
@@ -22,28 +22,28 @@ struct IdPool {
 
 /// All free ids of a complex: its own pool, and those lent to submeshes.
 struct FreeIds : IdPool {
-    /// Of one submesh. Two of them share no cache line, since two threads take from them.
+    /// The pool of one submesh. Pools share no cache line, because different threads use them.
     struct alignas(64) Lent : IdPool {};
 
     std::deque<Lent> lent;        ///< addresses stay when pools are added
-    std::uint64_t generation = 1; ///< a pool that was lent in another one is there no more
+    std::uint64_t generation = 1; ///< pools lent in an earlier one no longer exist
 
     FreeIds() = default;
     /// The same pools, lent to nobody.
     FreeIds(const FreeIds&) = default;
-    /// No id is left in the other, which begins a new generation.
+    /// Leaves no id in the other, which begins a new generation.
     FreeIds(FreeIds&& other) noexcept;
     /// Begins a new generation.
     FreeIds& operator=(const FreeIds& other);
-    /// Begins a new generation in both; no id is left in the other.
+    /// Begins a new generation in both; leaves no id in the other.
     FreeIds& operator=(FreeIds&& other) noexcept;
     ~FreeIds() = default;
 
-    /// The pool with this number; it and those before it are made if they are not there.
+    /// The pool with this number; missing pools up to it are created.
     [[nodiscard]] IdPool& lend(std::size_t number);
     /// Takes all ids back into the pool of the complex, and begins a new generation. O(lent ids).
     void collect();
-    /// No id is free; a new generation. O(pools).
+    /// Drops all ids and begins a new generation. O(pools).
     void clear();
     /// Free vertices, lent ones included. O(pools).
     [[nodiscard]] std::uint32_t vertex_total() const;
@@ -51,7 +51,7 @@ struct FreeIds : IdPool {
     [[nodiscard]] std::uint32_t triangle_total() const;
 };
 
-/// Moves ids from the end of `from` to `to` until at most so many are left.
+/// Moves ids from the end of `from` to `to` until at most these numbers are left.
 void move_ids(IdPool& from, IdPool& to, std::size_t vertices, std::size_t triangles);
 
 } // namespace dsc

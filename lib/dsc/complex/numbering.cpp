@@ -71,8 +71,8 @@ std::vector<std::uint32_t> order_vertices(const Complex<Real>& complex) {
     return order;
 }
 
-// The old ids of the border and the living triangles in their new order: counted into buckets by
-// their smallest vertex, then sorted inside the few that share one. Vertices are the new ones.
+// The old ids of the border and the living triangles in their new order: bucketed by their smallest
+// vertex, then sorted within each bucket. Vertices already have their new ids.
 template <class Real>
 std::vector<std::uint32_t> order_triangles(const Complex<Real>& complex) {
     const auto smallest = [&](std::uint32_t t) {

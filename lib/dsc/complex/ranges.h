@@ -56,7 +56,7 @@ private:
 
 } // namespace detail
 
-/// A range of handles that a cursor walks through. It only knows where it begins and ends.
+/// A range of handles that a cursor walks through.
 template <class Cursor>
 class HandleRange : public std::ranges::view_base {
 public:
@@ -89,7 +89,7 @@ struct IsAlive {
     bool operator()(auto handle) const { return complex->is_alive(handle); }
 };
 
-/// Whether a triangle lives, and is of a phase.
+/// Whether a triangle lives and has this phase.
 template <class Real>
 struct IsOfPhase {
     const Complex<Real>* complex = nullptr;
@@ -98,7 +98,8 @@ struct IsOfPhase {
     bool operator()(Triangle t) const { return complex->is_alive(t) && complex->phase(t) == phase; }
 };
 
-/// The handles that pass a test, by id from a given one on, up to the bound at the beginning.
+/// The handles that pass a test, by ascending id from `id` up to `bound`, which is fixed at the
+/// start.
 template <class Handle, class Test>
 struct IdCursor {
     Test test;
@@ -108,10 +109,10 @@ struct IdCursor {
     [[nodiscard]] Handle handle() const { return Handle{id}; }
     void advance() {
         ++id;
-        settle();
+        skip_failing();
     }
-    /// Advances to the first that passes, this one included.
-    void settle() {
+    /// Advances to the first id that passes; stays if the current one does.
+    void skip_failing() {
         while (id < bound && !test(Handle{id})) {
             ++id;
         }
@@ -123,7 +124,7 @@ template <class Handle, class Test>
 HandleRange<IdCursor<Handle, Test>> handles(const Test& test, std::uint32_t from,
                                             std::uint32_t bound) {
     IdCursor<Handle, Test> first{test, from, bound};
-    first.settle();
+    first.skip_failing();
     return {first, {test, bound, bound}};
 }
 
@@ -195,8 +196,8 @@ template <class Cursor>
     return ids;
 }
 
-/// The lowest and the highest corner of the smallest upright box around the living vertices; from
-/// infinity to minus infinity if there are none. O(ids).
+/// The lowest and the highest corner of the bounding box of the living vertices; from infinity to
+/// minus infinity if there are none. O(ids).
 template <class Real>
 [[nodiscard]] std::array<Point<Real>, 2> bounds_of(const Complex<Real>& complex) {
     Point<Real> low = Point<Real>::Constant(std::numeric_limits<Real>::infinity());

@@ -29,8 +29,8 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         const Real area = cross<Real>(to_a, to_b);
         const Real of_a = cross<Real>(way, to_b) / area;
         const Real of_b = cross<Real>(to_a, way) / area;
-        // Neither is negative in the triangle that the way leads into; nor in one beside it that
-        // the rounding of where a new vertex is has turned over.
+        // Both are non-negative in the triangle that the way leads into. They may be so in a
+        // neighbour too, which the rounding of a new vertex has inverted: its area is negative.
         if (const Real least = std::min(of_a, of_b); area > 0 && least > best) {
             best = least;
             best_a = a;
@@ -40,11 +40,12 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         }
     });
     if (!best_a.is_valid()) {
-        return; // no triangle has an area that could be measured
+        return; // no triangle has a positive area
     }
     share_b = std::clamp(share_b, Real(0), Real(1));
     share_a = std::clamp(share_a, Real(0), 1 - share_b);
-    // Two blends combine three values: a with the part that b leaves over, then b with the whole.
+    // Two blends combine three values: first with a, then with b; a's fraction makes up for the
+    // blend with b.
     if (share_b < 1) {
         complex.attributes.move_fields(
             v.id, best_a.id, static_cast<double>(share_a / (1 - share_b)), with_interface);

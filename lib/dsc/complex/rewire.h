@@ -17,7 +17,7 @@ namespace dsc {
 /// Gives the fields at `v`, the vertex attributes that sample the plane, the values at `place`, a
 /// point of its star: linear in the triangle that holds it. To be called before `v` moves; other
 /// attributes are not touched. `with_interface`: the interface moves `v`, not smoothing, and fields
-/// that the interface carries keep their values. O(degree).
+/// that the interface advects keep their values. O(degree).
 template <class Real>
 void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
                      bool with_interface);
@@ -44,10 +44,10 @@ double area_share(const Complex<Real>& complex, const std::array<std::uint32_t, 
                                               complex.position(Vertex{v[2]})));
     };
     const double first = size(one);
-    return first > 0 ? first / (first + size(other)) : 0.0; // both may round to nothing
+    return first > 0 ? first / (first + size(other)) : 0.0; // both may round to 0
 }
 
-/// Makes two corners the other sides of each other. The border keeps no record of its neighbours.
+/// Makes two corners each other's twins. The border keeps no record of its neighbours.
 template <class Real>
 void link(Complex<Real>& complex, Corner a, Corner b) {
     // The border is not updated: several submeshes would write there at once.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of a complex that an operation may change (thesis, section 6.4). A vertex is owned by
-// its position or by a label; a simplex lies in the submesh if all its vertices are owned;
+// The part of a complex that an operation may change (thesis, section 6.4). Its position or a label
+// decides whether a vertex is owned; a simplex lies in the submesh if all its vertices are owned;
 // everything else is locked: triangles that straddle two submeshes are never rewritten, so that
 // submeshes need neither locks nor copies.
 #pragma once
@@ -26,7 +26,7 @@ struct Region {
     };
     /// The number of the submesh that holds a point, by the partition of an application.
     using PlaceFunction = std::uint32_t (*)(const void* context, double x, double y);
-    /// The limit of a box that has none.
+    /// The bound of a box on a side without one.
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     Kind kind = Kind::whole; ///< how ownership is decided
@@ -36,10 +36,10 @@ struct Region {
     /// 8.5).
     double normal_x = 1;
     double normal_y = 0;         ///< with normal_x a unit vector
-    double low = -infinity;      ///< the least u
-    double high = infinity;      ///< the bound of u
-    double side_low = -infinity; ///< the least w
-    double side_high = infinity; ///< the bound of w
+    double low = -infinity;      ///< the smallest u
+    double high = infinity;      ///< u is below this
+    double side_low = -infinity; ///< the smallest w
+    double side_high = infinity; ///< w is below this
     /// places: owns p where place(context, p) == label.
     PlaceFunction place = nullptr;
     const void* context = nullptr; ///< handed to `place`
@@ -91,7 +91,7 @@ struct Region {
         }
         return false;
     }
-    /// False only if no point can lie in both; labels and places are not examined.
+    /// False only if no point can lie in both; always true for labels and places.
     [[nodiscard]] bool may_meet(const Region& other) const {
         const auto is_box = [](const Region& region) {
             return region.kind == Kind::box || region.kind == Kind::upright;
@@ -116,7 +116,7 @@ struct Region {
 };
 
 /// What an operation edits: a region of a complex, with the pool of ids that new simplices draw
-/// from and the log that notes the edits. A complex stands for the whole of it.
+/// from and the log that notes the edits. A complex converts to a submesh that owns everything.
 template <class Real>
 struct Submesh {
     using Scalar = Real; ///< of coordinates
@@ -124,17 +124,17 @@ struct Submesh {
     /// Owns everything, with the pool and the journal of the complex.
     Submesh(Complex<Real>& whole) // NOLINT(google-explicit-constructor): wherever a submesh may be
         : complex(whole), pool(&whole.ids), log(&whole.journal) {}
-    /// Of a region; all of these must outlive it.
+    /// Owns a region; complex, pool and log must outlive the submesh.
     Submesh(Complex<Real>& complex_in, const Region& region_in, IdPool& pool_in, EditLog& log_in)
         : complex(complex_in), region(region_in), pool(&pool_in), log(&log_in) {}
 
-    Complex<Real>& complex; ///< of which it is a part
+    Complex<Real>& complex; ///< the complex that it is a part of
     Region region;          ///< what it owns
     IdPool* pool;           ///< ids for new simplices
     EditLog* log;           ///< where edits are noted
 };
 
-/// What an operation may be given: a submesh, or a complex for the whole of it.
+/// What an operation may be given: a submesh, or a complex, which stands for its whole.
 template <class T>
 concept Editable = requires(T& where) {
     Submesh(where);
@@ -144,8 +144,8 @@ concept Editable = requires(T& where) {
 template <Editable Where>
 using ScalarOf = typename decltype(Submesh(std::declval<Where&>()))::Scalar;
 
-/// Throws what an attribute has thrown in an edit of the whole; a submesh that runs beside others
-/// leaves it to who runs them.
+/// Rethrows the exception of an attribute if the submesh is the whole complex. For submeshes that
+/// run side by side, the executor does so at the end.
 template <class Real>
 void rethrow_failure(const Submesh<Real>& submesh) {
     if (submesh.region.is_whole()) {
@@ -153,8 +153,8 @@ void rethrow_failure(const Submesh<Real>& submesh) {
     }
 }
 
-/// Whether the region owns a vertex, where it is now. Safe while another submesh moves it. Inlined:
-/// each movement asks for all vertices of a star.
+/// Whether the region owns a vertex at its current position. Safe while another submesh moves it.
+/// Inlined: each movement asks for all vertices of a star.
 template <class Real>
 [[gnu::always_inline]] inline bool owns(const Complex<Real>& complex, const Region& region,
                                         std::uint32_t vertex) {
@@ -166,7 +166,7 @@ template <class Real>
                        static_cast<double>(read_shared(record.y)));
 }
 
-/// Whether the region contains a point; labels do not depend on where a vertex is.
+/// Whether the region contains a point; always true for labels, which do not depend on positions.
 template <class Real>
 bool owns_place(const Region& region, const Point<Real>& point) {
     return region.is_whole() || region.kind == Region::Kind::labels ||

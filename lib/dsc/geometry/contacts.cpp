@@ -87,8 +87,9 @@ private:
         return ends;
     }
 
-    // The order of the lines that the sweep meets, by the left end that came later. A line through
-    // that end is as good as above it: they become neighbours, and are compared.
+    // The vertical order of two lines that the sweep meets, at the left end that comes later. If
+    // the other line passes through this end, either order will do: the two become neighbours and
+    // are compared.
     [[nodiscard]] bool below(std::uint32_t s, std::uint32_t t) const {
         int sign = 0;
         if (left(s) == left(t)) {

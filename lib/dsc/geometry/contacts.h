@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do straight lines meet anywhere but at common ends? One sweep over all of them, in O(n log n) and
-// with exact signs (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976).
+// Finds out whether straight lines meet anywhere but at common ends: one sweep over all lines, in
+// O(n log n) and with exact signs (M. I. Shamos, D. Hoey, "Geometric intersection problems", 1976).
 #pragma once
 
 #include "dsc/base/types.h"
@@ -25,7 +25,7 @@ struct LineContact {
     friend bool operator==(const LineContact&, const LineContact&) = default;
 };
 
-/// One contact, if there are any. All coordinates must be finite.
+/// One of the contacts; empty if there is none. All coordinates must be finite.
 std::optional<LineContact> find_contact(std::span<const Point<double>> points,
                                         std::span<const NetworkLine> lines);
 

@@ -35,7 +35,7 @@ template <class Real>
     return Point<Real>(Real(0.5) * (a.x() + b.x()), Real(0.5) * (a.y() + b.y()));
 }
 
-/// Where on the segment from a (0) to b (1) the point nearest to p lies; 0 where a is b.
+/// The parameter, 0 at a and 1 at b, of the segment's point nearest to p; 0 where a equals b.
 template <class Real>
 [[nodiscard]] Real nearest_fraction(const Point<Real>& p, const Point<Real>& a,
                                     const Point<Real>& b) {
@@ -61,8 +61,8 @@ template <class Real>
     return (p - a - nearest_fraction<Real>(p, a, b) * along).squaredNorm();
 }
 
-/// The distance from p to the segment from a to b. Beside the segment it is a cross product, which
-/// keeps its digits where p is very near to the line; the difference of two vectors, as in
+/// The distance from p to the segment from a to b. Unless an end is nearest, it is a cross product,
+/// which stays accurate where p is very near to the line; the difference of two vectors, as in
 /// `squared_distance`, cancels there.
 template <class Real>
 [[nodiscard]] Real distance(const Point<Real>& p, const Point<Real>& a, const Point<Real>& b) {
@@ -110,8 +110,8 @@ turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to
 }
 
 /// Whether the polyline turns by more than the angle of this cosine at `at`. Not the negation of
-/// `turns_less`: a polyline with an edge of no length does neither. Multiplies two lengths rather
-/// than taking the root of a product, which would leave the range of Real for lengths of 1e-100.
+/// `turns_less`: both are false if an edge has length 0. Multiplies two lengths rather than taking
+/// the root of a product, which would leave the range of Real for lengths of 1e-100.
 template <class Real>
 [[nodiscard]] bool turns_more(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
                               double cosine) {

@@ -24,8 +24,8 @@ int orientation(double ax, double ay, double bx, double by, double cx, double cy
     if (!all_finite(ax, ay, bx, by, cx, cy)) {
         return 0;
     }
-    // Nearly all triples that are collinear to the bit lie on an upright or level boundary, where
-    // both products are 0.
+    // Nearly all exactly collinear triples lie on an axis-aligned boundary, where both products are
+    // 0.
     if ((bx == ax || cy == ay) && (by == ay || cx == ax)) {
         return 0;
     }

@@ -114,7 +114,7 @@ inline bool certainly_in_circle(const Point<double>& a, const Point<double>& b,
     return in_circle<double>(a, b, c, d) > 0;
 }
 
-/// Whether p lies in the smallest upright box about a and b, the rim included.
+/// Whether p lies in the axis-aligned bounding box of a and b, its boundary included.
 template <class Real>
 bool box_contains(const Point<Real>& a, const Point<Real>& b, const Point<Real>& p) {
     return std::min(a.x(), b.x()) <= p.x() && p.x() <= std::max(a.x(), b.x()) &&

@@ -2,8 +2,8 @@
 // Measures of triangles given by their corners (thesis, section 4.3), after J. R. Shewchuk, "What
 // is a good linear finite element?" (2002), scaled to 1 for the equilateral triangle and signed: an
 // inverted triangle has a negative value, a degenerate one 0. None of them needs trigonometry,
-// except the angle itself. None multiplies more than two lengths, so that they neither under- nor
-// overflow where the area does not; the one exception says so.
+// except the angle itself. Measures of quality multiply at most two lengths, so that they neither
+// under- nor overflow where the area does not; `sine_squared_of_lanes` is the exception.
 #pragma once
 
 #include "dsc/geometry/points.h"
@@ -14,7 +14,7 @@
 namespace dsc {
 
 /// The signed area (thesis, equation 3): positive for a counter-clockwise triangle. Its sign may be
-/// wrong where rounding decides: ask `orientation` for that.
+/// wrong where rounding decides: use `orientation` for the sign.
 template <class Real>
 [[nodiscard]] Real area(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
     return ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x())) / 2;
@@ -41,10 +41,10 @@ inline constexpr double max_edge_length = 1e50;
 template <>
 inline constexpr double max_edge_length<float> = 1e5;
 
-/// The squared sine of the smallest angle, with the sign of the area: one quotient of products
-/// of six lengths, made for loops over all lanes of a star; lengths must lie between
-/// `min_edge_length` and `max_edge_length`. The quality squared is 4/3 of it. (ax, ay) and (bx,
-/// by) lead from one corner to the two others.
+/// The squared sine of the smallest angle, with the sign of the area: one quotient of products of
+/// six lengths, for loops over all lanes of a star; lengths must lie between `min_edge_length` and
+/// `max_edge_length`. The quality squared is 4/3 of it. (ax, ay) and (bx, by) lead from one corner
+/// to the two others.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real sine_squared_of_lanes(Real ax, Real ay, Real bx,
                                                                     Real by) {
@@ -104,7 +104,7 @@ template <class Real>
     const Real aa = squared_distance(b, c);
     const Real bb = squared_distance(c, a);
     const Real cc = squared_distance(a, b);
-    // It lies opposite to the shortest edge; the law of cosines for the corner there.
+    // The smallest angle lies opposite to the shortest edge; its cosine by the law of cosines.
     const Real shortest = std::min({aa, bb, cc});
     const Real dot = ((aa - shortest) + (bb - shortest) + (cc - shortest) + shortest) / 2;
     const Real cross = 2 * std::abs(area(a, b, c));

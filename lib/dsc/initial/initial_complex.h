@@ -30,13 +30,13 @@ struct Shape {
     /// Further rings: by the even-odd rule, holes in the outline, islands in these, and other
     /// parts.
     std::vector<std::vector<Point<double>>> holes = {};
-    std::string name = {}; ///< in messages; empty: by its number, as "shape 0"
+    std::string name = {}; ///< in messages; empty: its number, as in "shape 0"
 };
 
 /// A piece of the interface between two junctions, or a closed curve.
 struct Curve {
     std::vector<Point<double>> points; ///< two or more; a closed curve repeats its first at the end
-    Phase left = 1;                    ///< of the region on the left of the way along it
+    Phase left = 1;                    ///< of the region on its left
     Phase right = exterior_phase;      ///< differs from the one on the left
 };
 
@@ -54,7 +54,7 @@ struct Rectangle {
 //
 //     world = origin + unit * coordinate
 
-/// Where coordinates begin, and how long 1 is.
+/// The origin and the unit of coordinates.
 struct Frame {
     Point<double> origin{0.0, 0.0}; ///< in world coordinates
     double unit = 1;                ///< in world coordinates; a power of two: dividing is exact
@@ -93,8 +93,8 @@ inline constexpr std::array detail_names{
 enum class Coverage : std::uint8_t {
     open,           ///< gaps are of `exterior_phase`, overlaps are refused
     whole,          ///< both are refused
-    longest_border, ///< both go to the shape with the longest border there
-    first,          ///< both go to the shape that comes first
+    longest_border, ///< both are given to the shape with the longest border there
+    first,          ///< both are given to the shape that comes first in the list
 };
 
 inline constexpr std::array coverage_names{
@@ -117,19 +117,18 @@ struct InputReport {
     friend bool operator==(const InputReport&, const InputReport&) = default;
 };
 
-/// What a report says to people: a sentence for each kind of thing that was left out, and none
-/// where nothing was.
+/// A report in words: a sentence for each kind of detail that was left out; empty if there is none.
 [[nodiscard]] std::vector<std::string> sentences(const InputReport& report);
 
 /// How fine the first complex is, and how much it is improved.
 struct InitialOptions {
     double edge_length = 0.05; ///< the target, in units of the coordinates
-    int improve_rounds = 12;   ///< at most so many rounds of improvement near the interface
-    /// Longer edges away from the interface. The interface is cut by `edge_length` all the same.
+    int improve_rounds = 12;   ///< largest number of rounds of improvement near the interface
+    /// Longer edges away from the interface. The interface is still cut by `edge_length`.
     SizeOptions<double> sizes = {};
     bool renumber = true;         ///< order ids along a space-filling curve
     Detail detail = Detail::thin; ///< what happens to detail finer than the mesh
-    /// Borders of shapes that are nearer to each other than this times the edge length are one;
+    /// Borders of shapes that are nearer to each other than this times the edge length are merged;
     /// 0.001 to 0.1.
     double border_tolerance = 1e-3;
     Coverage coverage = Coverage::open; ///< what happens to gaps and overlaps that are wider
@@ -142,9 +141,10 @@ struct InitialOptions {
 /// Shapes side by side share their border. What lies beyond the domain is clipped.
 ///
 /// Each edge longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all
-/// vertices at edges of at least 0.2 `edge_length` stay, bit for bit (for float: as rounded), but
-/// for those within `InitialOptions::border_tolerance` of another shape or a side. What happens to
-/// finer detail, `InitialOptions::detail` says, and `report` what was left out.
+/// vertices at edges of at least 0.2 `edge_length` keep the same bits (for float: as rounded),
+/// except those within `InitialOptions::border_tolerance` of another shape or a side.
+/// `InitialOptions::detail` decides what happens to finer detail; `report` counts what was left
+/// out.
 ///
 /// Where edges grow (`sizes`), the lattice is coarse, and triangles are broken up until they are as
 /// small as the targets of their vertices.
@@ -152,14 +152,14 @@ struct InitialOptions {
 /// Time and memory: O(1) per triangle, plus O(n log n) for the n vertices of the cut outlines, and
 /// for those of the complex where edges grow. The same input gives the same bits.
 ///
-/// \throw InputError where a coordinate, the edge length or a size makes no sense, outlines cross
-/// or overlap of which none lies in the other, a shape of `exterior_phase` lies in no other, or the
-/// complex would be absurdly large.
+/// \throw InputError if a coordinate, the edge length or a size is out of range, outlines cross,
+/// shapes overlap of which none lies in the other, a shape of `exterior_phase` lies in no other, or
+/// the complex would be too large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options = {}, InputReport* report = nullptr);
 
-/// The same for shapes in braces. `{}` stands for no shapes: all of it is `exterior_phase`.
+/// The same for shapes in braces. `{}` stands for no shapes: the whole domain is `exterior_phase`.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Shape> shapes,
                               const InitialOptions& options = {}, InputReport* report = nullptr) {
@@ -171,16 +171,16 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 /// The curves cut the domain into regions; each region gets the phase that all curves around it
 /// name for their side there. Several regions may have the same phase. Without curves, everything
 /// is `exterior_phase`. An end of a curve lies exactly on a side of the domain, or at exactly the
-/// coordinates of other ends: three and more make a junction. Edges are cut as those of outlines,
-/// and detail finer than the mesh is treated like theirs; ends stay, and closed curves of any size.
+/// coordinates of other ends: three and more make a junction. Edges are cut, and detail finer than
+/// the mesh is treated, as for outlines; but ends and closed curves of any size are kept.
 ///
 /// Time and memory, and the same bits for the same input: as above.
 ///
-/// \throw InputError where a coordinate, the edge length or a size makes no sense; a curve has too
+/// \throw InputError if a coordinate, the edge length or a size is out of range; a curve has too
 /// few points, an edge without length, one phase on both sides or a reserved one; a point lies
 /// outside the domain or, unless it is an end, on a side or next to it; an end meets nothing;
 /// curves cross, touch or overlap anywhere but at common ends; two curves name different phases for
-/// a region; or the complex would be absurdly large.
+/// a region; or the complex would be too large.
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> curves,
                               const InitialOptions& options = {}, InputReport* report = nullptr);

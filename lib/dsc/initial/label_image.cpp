@@ -16,20 +16,20 @@ void check(const LabelImage& image) {
     constexpr std::size_t max_pixels = 400'000'000;
     const auto shape = std::to_string(image.rows) + " rows of " + std::to_string(image.columns);
     if (image.rows == 0 || image.columns == 0 || image.rows > max_pixels / image.columns) {
-        throw InputError({.what = "an image of no pixels, or too many",
+        throw InputError({.what = "the image has no pixels, or too many",
                           .where = "labels",
                           .value = shape,
                           .allowed = "1 to " + std::to_string(max_pixels) + " pixels"});
     }
     if (image.labels.size() != image.rows * image.columns) {
-        throw InputError({.what = "labels that do not fill the image",
+        throw InputError({.what = "the number of labels does not fit the image",
                           .where = "labels",
                           .value = std::to_string(image.labels.size()) + " for " + shape,
                           .allowed = "one for each pixel"});
     }
     if (const auto at = std::ranges::find(image.labels, border_phase); at != image.labels.end()) {
         const auto i = static_cast<std::size_t>(at - image.labels.begin());
-        throw InputError({.what = "a reserved phase",
+        throw InputError({.what = "the phase is reserved",
                           .where = "labels, row " + std::to_string(i / image.columns) +
                                    ", column " + std::to_string(i % image.columns),
                           .value = std::to_string(border_phase),

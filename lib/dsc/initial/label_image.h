@@ -10,12 +10,13 @@
 
 namespace dsc {
 
-/// Pixels of phases. Those of one phase that share a side are one grain.
+/// Pixels of phases. Pixels of one phase that share a side belong to one grain.
 struct LabelImage {
     std::size_t rows = 0;
     std::size_t columns = 0;
     std::vector<Phase> labels; ///< row by row from the top
-    /// Grains of fewer pixels go to the neighbour with which they share the longest border.
+    /// Grains of fewer pixels are merged into the neighbour with which they share the longest
+    /// border.
     std::size_t min_pixels = 0;
 };
 
@@ -25,9 +26,8 @@ struct LabelImage {
 /// Boundaries are smoothed: their points move by less than half a pixel from the middles of the
 /// pixels' sides, junctions by less than half a pixel from corners of pixels, and ends slide along
 /// the sides of the domain. Each grain keeps the area of its pixels, to about 1e-6 of it before
-/// detail finer than the mesh is left out. `Detail::thin` also gives grains to their neighbours
-/// that are smaller than 0.2 edge lengths. `InputReport::dropped` counts grains that went to a
-/// neighbour.
+/// detail finer than the mesh is left out. `Detail::thin` also merges grains smaller than 0.2 edge
+/// lengths into their neighbours. `InputReport::dropped` counts merged grains.
 ///
 /// Time and memory: O(n log n) for n pixels, and those of the complex of curves. The same image
 /// gives the same bits.

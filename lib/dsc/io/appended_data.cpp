@@ -34,7 +34,7 @@ std::string compressed(const char* bytes, std::size_t size) {
 } // namespace
 
 // The header: the number of blocks, the size of each before it was compressed, that of the last one
-// if it is smaller (else 0), and the size of each afterwards. It has a padding of its own.
+// if it is smaller (else 0), and the size of each afterwards. The header is padded separately.
 std::size_t AppendedData::add_bytes(const char* bytes, std::size_t size) {
     const std::size_t offset = text_.size();
     std::vector<std::uint64_t> sizes{(size + vtk_block_size - 1) / vtk_block_size, vtk_block_size,

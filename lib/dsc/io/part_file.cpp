@@ -22,8 +22,8 @@ constexpr int max_links = 40;               ///< the kernel's own limit
 constexpr int max_parts = 10000;            ///< of one file at a time
 constexpr std::size_t longest_prefix = 100; ///< bytes: no file system allows fewer than 143
 
-// Links in this folder are open files of this process: to open them begins at their start, or
-// fails.
+// Links in this folder are open descriptors of this process: opening one starts at the beginning of
+// the file, or fails.
 bool is_descriptor(const fs::path& link) {
     std::error_code error;
     const fs::path all = fs::canonical("/proc/self/fd", error);
@@ -128,7 +128,7 @@ PartFile& PartFile::operator<<(char c) { return *this << std::string_view(&c, 1)
 
 void PartFile::commit(Until until) {
     write_block();
-    // Some file systems, and streams, cannot sync (EINVAL): the rename alone must do.
+    // Some file systems, and streams, cannot sync (EINVAL): then the rename alone must suffice.
     if (until == Until::on_disk && ::fsync(descriptor_) != 0 && errno != EINVAL) {
         fail("writing failed", errno);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Atomic file writes: into a part file of its own beside the place, which is then renamed.
+// Atomic file writes: into a part file beside the destination, which is then renamed.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -20,13 +20,13 @@ struct Destination {
     int descriptor = -1;    ///< of this process, to which for instance /dev/stdout leads
 };
 
-/// Throws FileError for a folder, or where links lead round in a circle.
+/// Throws FileError for a folder, or a cycle of links.
 [[nodiscard]] Destination destination_of(const std::string& path);
 
-/// Collects text and writes it in blocks. Numbers are written the same way under every locale. A
-/// file appears at `commit`; without it, nothing is left. Of several writers of one path the last
-/// to commit wins. Streams are written to block by block.
-/// Throws FileError where the folder is missing or unwritable, or the disk is full.
+/// Collects text and writes it in blocks. Numbers are written the same way under every locale. The
+/// file appears at `commit`; without it, no file remains. Of several writers of one path, the last
+/// to commit wins. Streams are written to block by block. Throws FileError where the folder is
+/// missing or unwritable, or the disk is full.
 class PartFile : public Unmovable {
 public:
     /// Makes the part file. Throws FileError.
@@ -42,7 +42,7 @@ public:
     requires std::is_arithmetic_v<Number> PartFile& operator<<(Number value) {
         return append(value);
     }
-    /// With so many digits after the point.
+    /// Appends a number with this many digits after the point.
     PartFile& fixed(double value, int digits) {
         return append(value, std::chars_format::fixed, digits);
     }

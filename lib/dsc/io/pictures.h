@@ -17,7 +17,7 @@ namespace dsc {
 
 // --- as SVG --------------------------------------------------------------------------------------
 
-/// Colours of triangles by something other than their phase: a number, or which group they are in.
+/// Colours triangles by a number or a group rather than by their phase.
 struct SvgFill {
     std::string name;                 ///< class names in the file are name-0, name-1, ...
     std::vector<std::string> colours; ///< as in CSS
@@ -25,7 +25,7 @@ struct SvgFill {
     std::vector<std::uint32_t> of;
 };
 
-/// A place that is pointed out by a ring.
+/// A place marked by a ring.
 struct SvgMark {
     double x = 0; ///< in units of the domain
     double y = 0;
@@ -48,14 +48,14 @@ struct SvgOptions {
     /// fixed one.
     std::optional<Rectangle> view{};
     std::string title{}; ///< empty: none
-    /// In place of the colours of phases. One entry for each triangle id.
+    /// Replaces the colours of phases. One entry for each triangle id.
     std::optional<SvgFill> fill{};
     std::vector<SvgMark> marks{};        ///< on top of everything else
     std::string mark_colour = "#d55e00"; ///< of the rings
 };
 
-/// Writes the picture, y upwards. The file exists as a whole or not at all. O(n log phases).
-/// Throws FileError where it cannot be written, InputError where the options do not make sense.
+/// Writes the picture, y upwards, atomically. O(n log phases). Throws FileError if it cannot be
+/// written, InputError if an option is out of range.
 template <class Real>
 void write_svg(const Complex<Real>& complex, const std::string& path,
                const SvgOptions& options = {});
@@ -76,9 +76,9 @@ struct VtuArray {
 /// Writes all living vertices and triangles; for each vertex its `position`, for each triangle its
 /// `phase` and its `quality` (equation 4 of the thesis); the attributes of vertices and triangles
 /// whose entries are numbers (double, float, integers of 8 to 64 bits) or points; and `more`. An
-/// attribute whose name is already taken is left out. Numbers read back bit by bit; vectors get a
-/// third component of 0. The file exists as a whole or not at all. O(n). Throws FileError;
-/// InputError where the length or the components of an array are wrong.
+/// attribute whose name is already taken is left out. Numbers read back bitwise identical; vectors
+/// get a third component of 0. The file is written atomically. O(n). Throws FileError; InputError
+/// where the length or the components of an array are wrong.
 template <class Real>
 void write_vtu(const Complex<Real>& complex, const std::string& path,
                std::span<const VtuArray> more = {});

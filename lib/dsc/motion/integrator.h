@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// From a velocity field to target positions (thesis, section 5.1, equation 5). All vertices are
-// evaluated in one call, so that a field pays its overhead once and can use all lanes. An
-// application may have an integrator of its own: with a memory, with an estimate of its error, or
-// of another order.
+// From a velocity field to target positions (thesis, section 5.1, equation 5). One call evaluates
+// all vertices, so that the overhead of a call is paid once and the field can use vector
+// instructions. An application may supply its own integrator: a multistep method, one with an error
+// estimate, or one of another order.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -26,8 +26,8 @@ enum class Integrator : std::uint8_t {
     euler,    ///< first order, one evaluation a step
     midpoint, ///< second order, two evaluations
     rk4,      ///< fourth order, four evaluations
-    adaptive, ///< rk4 with an estimate of its error, from which the step is chosen; five. It
-              ///< does not notice a velocity that is equal everywhere and changes in time
+    adaptive, ///< rk4 with an error estimate that controls the step, five evaluations. The estimate
+              ///< is 0 for a velocity that is uniform in space, however it changes in time
 };
 
 inline constexpr std::array integrator_names{
@@ -48,7 +48,7 @@ struct IntegratorScratch {
     std::vector<Point<Real>> stage; ///< positions of a stage
     std::vector<Point<Real>> slope; ///< velocities of a stage
     std::vector<Point<Real>> sum;   ///< of the weighted velocities
-    std::size_t worst = 0;          ///< the index of the largest error estimate, set with it
+    std::size_t worst = 0;          ///< index of the vertex with the largest error estimate
 };
 
 /// targets[i] = where positions[i] is at time + dt. `scratch.first` must hold the velocities at
@@ -62,7 +62,8 @@ Real integrate(Integrator integrator, const Velocity<Real>& velocity,
 /// Interface vertices in one sub-step; entry i of each array belongs to the same vertex.
 template <class Real>
 struct IntegratorStep {
-    Complex<Real>& complex;                  ///< its attributes hold what is remembered of vertices
+    Complex<Real>& complex;                  ///< its attributes hold the integrator's data of
+                                             ///< vertices
     std::span<const std::uint32_t> vertices; ///< those of one submesh
     std::span<const Point<Real>> positions;  ///< at the start
     std::span<Point<Real>> targets;          ///< at the end
@@ -70,15 +71,15 @@ struct IntegratorStep {
     Real dt;                            ///< the duration
 };
 
-/// Takes the place of `Options::integrator`. An integrator itself does not change: what it
-/// remembers of a vertex belongs in an attribute, which follows operations, renumbering, copies and
-/// checkpoints by itself. One object can serve several simulations.
+/// Takes the place of `Options::integrator`. An integrator itself is stateless: data of a vertex
+/// belong in an attribute, which follows operations, renumbering, copies and checkpoints
+/// automatically. One object can serve several simulations.
 template <class Real>
 class CustomIntegrator : public Unmovable {
 public:
     virtual ~CustomIntegrator() = default;
 
-    /// Makes the attributes that the complex does not have yet. Called when the simulation is made,
+    /// Adds the attributes that the complex does not have yet. Called when the simulation is made,
     /// whenever its options have changed, and after the application has renumbered or replaced the
     /// complex.
     virtual void begin(Complex<Real>& complex) const { (void)complex; }
@@ -86,14 +87,14 @@ public:
     /// Writes all `step.targets`: where `step.positions` are at time + step.dt. `scratch.first`
     /// holds the velocities at `time`, 0 for held vertices. Returns the largest finite estimate of
     /// the error, a length, by which `Options::tolerance` chooses the sub-steps; 0 if there is
-    /// none. Called again whenever dt changes; from several threads at once, for different
-    /// vertices: only what belongs to these may be written, so that the result is the same to the
-    /// bit for any number of threads. Not called for a motion of the whole interface.
+    /// none. Called again whenever dt changes, and from several threads at once for different
+    /// vertices: it may write only data of these vertices, so that the result is bitwise identical
+    /// for any number of threads. Not called for a motion of the whole interface.
     virtual Real integrate(const IntegratorStep<Real>& step, const Velocity<Real>& velocity,
                            Real time, IntegratorScratch<Real>& scratch) const = 0;
 
-    /// The vertices are about to move to these targets, once a sub-step, however the targets were
-    /// found. From several threads at once as well.
+    /// Called once per sub-step, before the vertices move to these targets, however the targets
+    /// were found; also from several threads at once.
     virtual void accept(const IntegratorStep<Real>& step) const { (void)step; }
 
     /// The vertices start afresh: the flow has changed abruptly (`Simulation::forget`), another

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Flows that see the interface: beside where its vertices are they know who is next to whom along
-// the curve, which phases meet there, which way the normal points and how the curve bends.
+// Flows that depend on the interface: besides the positions of its vertices they have access to the
+// neighbours along the curve, the phases that meet there, the normal and the curvature.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -14,11 +14,11 @@
 namespace dsc {
 
 /// Calls `task(share)` once for each share, from 0 to `shares` - 1, and returns when all are done:
-/// several at the same time on the threads of the step, in any order. Shares should take more than
-/// some microseconds. What a task throws comes out of the call.
+/// several at the same time on the threads of the step, in any order. A share should take more than
+/// a few microseconds. The call rethrows an exception of a task.
 using InShares =
     std::function<void(std::size_t shares, const std::function<void(std::size_t share)>& task)>;
-/// By the calling thread.
+/// Runs all shares on the calling thread.
 inline const InShares one_by_one = [](std::size_t shares, const auto& task) {
     for (std::size_t share = 0; share < shares; ++share) {
         task(share);
@@ -34,7 +34,7 @@ enum InterfaceFlag : std::uint8_t {
     interface_junction = 1U,
     interface_feature = 2U,  ///< is kept; its normal and curvature are not those of a smooth curve
     interface_boundary = 4U, ///< lies on the domain boundary, along which alone it can slide
-    interface_locked = 8U,   ///< stays, whatever its velocity
+    interface_locked = 8U,   ///< does not move, whatever its velocity
 };
 
 /// An interface edge that leaves a junction.
@@ -44,22 +44,22 @@ struct InterfaceArm {
     Phase right = border_phase; ///< as seen from the junction
 };
 
-/// The interface at one moment. Entry i of each array is the same interface vertex; neighbours are
-/// indices into these arrays. Curves are directed so that the larger of their two phases is on the
-/// left: the outline of a disc of phase 1 in phase 0 runs counter-clockwise, that of a hole in it
-/// clockwise. The outside of the domain, `border_phase`, is always on the right. A closed curve has
-/// no first vertex: following `next` leads around it.
+/// The interface at one moment. Entry i of each array belongs to the same interface vertex;
+/// neighbours are indices into these arrays. Curves are directed so that the larger of their two
+/// phases is on the left: the outline of a disc of phase 1 in phase 0 runs counter-clockwise, that
+/// of a hole in it clockwise. The outside of the domain, `border_phase`, is always on the right. A
+/// closed curve has no first vertex: following `next` leads around it.
 ///
 /// Vertices are in about the order of the curves, submesh by submesh; no flow should depend on
-/// that. A view is only valid during the call that it is handed to.
+/// that. A view is valid only during the call that receives it.
 template <class Real>
 struct InterfaceView {
-    /// The mesh around the interface, at the start of the sub-step and not at the stage; and
-    /// attributes: `view.complex.attributes.get<Vertex, double>("speed")[view.vertices[i]]`, looked
-    /// up by name once for a range and not for each vertex.
+    /// The mesh at the start of the sub-step (not at the stage), and its attributes:
+    /// `view.complex.attributes.get<Vertex, double>("speed")[view.vertices[i]]`. Look up the name
+    /// once for a range, not for each vertex.
     const Complex<Real>& complex;
     std::span<const Vertex> vertices; ///< handles; i is their index here
-    /// Where they are in this stage of the integrator.
+    /// Their positions in this stage of the integrator.
     std::span<const Point<Real>> positions;
     std::span<const std::uint32_t> previous; ///< no_id at junctions
     std::span<const std::uint32_t> next;     ///< no_id at junctions
@@ -71,17 +71,17 @@ struct InterfaceView {
     std::span<const std::uint32_t> arm_begin; ///< junction k: arms arm_begin[k] to arm_begin[k + 1]
     std::span<const InterfaceArm> arms;       ///< counter-clockwise about each junction
 
-    /// The threads of the step, for a motion of the whole interface to share its work among. A flow
-    /// is called by several threads as it is, and must not use it.
+    /// Distributes the work of an `InterfaceMotion` over the threads of the step. An
+    /// `InterfaceFlow` must not use it: several threads call it already.
     const InShares& in_shares = one_by_one;
 
     /// The number of interface vertices.
     [[nodiscard]] std::size_t size() const { return vertices.size(); }
-    /// Whether i is no ordinary point of a curve; see `interface_junction`.
+    /// Whether i is not an ordinary point of a curve; see `interface_junction`.
     [[nodiscard]] bool is_junction(std::size_t i) const {
         return (flags[i] & interface_junction) != 0;
     }
-    /// Whether i is a corner that is kept.
+    /// Whether i is a feature.
     [[nodiscard]] bool is_feature(std::size_t i) const {
         return (flags[i] & interface_feature) != 0;
     }
@@ -91,7 +91,7 @@ struct InterfaceView {
     }
 };
 
-/// The arms of a junction, counter-clockwise; none of any other vertex. O(log junctions).
+/// The arms of a junction, counter-clockwise; empty for any other vertex. O(log junctions).
 template <class Real>
 [[nodiscard]] std::span<const InterfaceArm> arms_of(const InterfaceView<Real>& view, std::size_t i);
 
@@ -116,19 +116,18 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real length(const InterfaceView<Real>& view, std::size_t i);
 
-/// A velocity that is given the interface: writes velocities[i] for each i in [begin, end). Entries
-/// that it does not write are zero: the vertex stays. NaN or infinity: the vertex is held and
-/// counted.
+/// A velocity that depends on the interface: writes velocities[i] for each i in [begin, end).
+/// Entries not written are zero: the vertex stays. NaN or infinity: the vertex is held and counted.
 ///
 /// It is called in every stage of the integrator, with the positions of that stage for all vertices
 /// (locked and held ones stay where they are), once for each submesh, from several threads at once:
-/// it may read the whole view, and from the complex what it likes, while nothing is modified; it
-/// must write nothing else. What is written for i must not depend on begin and end: then the result
-/// is the same to the bit for any number of threads. What it throws comes out of
-/// `Simulation::step`, and leaves a valid complex.
+/// it may read the whole view and the complex, which nobody modifies meanwhile, and must write
+/// nothing else. The velocity of i must not depend on begin and end: then the result is bitwise
+/// identical for any number of threads. `Simulation::step` rethrows its exceptions; the complex
+/// stays valid.
 ///
-/// Explicit integrators limit the step of a flow that smooths, which the limit by speed does not
-/// see: where v = -curvature * normal, dt * 4 / l^2 must stay below 2 (euler, midpoint) or 2.78
+/// Smoothing flows are stiff: explicit integrators need a step that the limit by speed does not
+/// ensure. Where v = -curvature * normal, dt * 4 / l^2 must stay below 2 (euler, midpoint) or 2.78
 /// (rk4, adaptive), with l the shortest edge, `shortest * edge_length` of the options.
 template <class Real>
 using InterfaceFlow =
@@ -140,7 +139,7 @@ template <class Real, class Function>
 [[nodiscard]] InterfaceFlow<Real> vertex_flow(Function function) {
     using Result =
         std::invoke_result_t<const Function&, const InterfaceView<Real>&, std::size_t, Real>;
-    // An expression of Eigen would refer to temporaries that are gone.
+    // An Eigen expression would refer to destroyed temporaries.
     static_assert(std::is_same_v<Result, Point<Real>>,
                   "the function must return a dsc::Point: write -> dsc::Point<Real>");
     return [function = std::move(function)](const InterfaceView<Real>& view, std::size_t begin,
@@ -152,54 +151,53 @@ template <class Real, class Function>
     };
 }
 
-/// A flow whose motion is found for the whole interface at once, such as one that needs a linear
-/// system along the curves: writes into displacements[i] by how much vertex i moves from `time` to
-/// time + dt. Entries that it does not write are zero: the vertex stays. NaN or infinity: the
-/// vertex is held and counted.
+/// A flow that computes the motion of the whole interface at once, for example from a linear system
+/// along the curves: writes into displacements[i] how far vertex i moves from `time` to time + dt.
+/// Entries not written are zero: the vertex stays. NaN or infinity: the vertex is held and counted.
 ///
-/// It is called once for a sub-step, before anything moves, and again whenever the driver changes
-/// dt, which is more than 0; by one thread at a time. What it shares among several by
-/// `view.in_shares` must not depend on who does it: then the result is the same to the bit for any
-/// number of threads. The integrator of the options has no part in it: the targets are the
-/// positions plus the displacements. The driver chooses its sub-steps by displacement / dt. What it
-/// throws comes out of `Simulation::step`, and leaves a valid complex.
+/// It is called once per sub-step, before anything moves, and again whenever the driver changes dt
+/// (always positive); by one thread at a time. Work that it distributes with `view.in_shares` must
+/// not depend on which thread runs a share: then the result is bitwise identical for any number of
+/// threads. No integrator takes part: the targets are the positions plus the displacements. The
+/// driver chooses its sub-steps by displacement / dt. `Simulation::step` rethrows its exceptions;
+/// the complex stays valid.
 template <class Real>
 using InterfaceMotion = std::function<void(const InterfaceView<Real>& view, Real time, Real dt,
                                            std::span<Point<Real>> displacements)>;
 
 /// A velocity that is called once in each stage of the integrator, with all interface vertices of
-/// all submeshes, by the thread that calls `Simulation::step`: for a function that costs much to
-/// call, such as one of an interpreter. The result is that of the plain velocity, to the bit.
+/// all submeshes, by the thread that calls `Simulation::step`: for a function that is expensive to
+/// call, such as one written in Python. The result is bitwise identical to that of the plain
+/// velocity.
 template <class Real>
 struct VelocityAtOnce {
     Velocity<Real> velocity; ///< of positions and time
 };
 
-/// Any kind of flow, as the driver hands it to an executor. Refers to the function, and costs
-/// nothing to copy.
+/// Any kind of flow, as the driver passes it to an executor. Refers to the function; cheap to copy.
 template <class Real>
 class Flow {
 public:
     /// A function of positions and time.
     Flow(const Velocity<Real>& velocity) : velocity_(&velocity) {} // NOLINT: all are flows
-    /// The same, called for all of the interface at once.
+    /// The same, called once for the whole interface.
     Flow(const VelocityAtOnce<Real>& at_once) // NOLINT: the same
         : velocity_(&at_once.velocity), needs_all_(true) {}
-    /// A velocity that sees the interface.
+    /// A velocity that depends on the interface.
     Flow(const InterfaceFlow<Real>& along_curves) // NOLINT: the same
         : seeing_(&along_curves), needs_all_(true) {}
     /// A motion of the whole interface.
     Flow(const InterfaceMotion<Real>& motion) // NOLINT: the same
         : motion_(&motion), needs_all_(true) {}
 
-    /// The function of positions and time; null where the flow sees the interface.
+    /// The function of positions and time; null for the two other kinds.
     [[nodiscard]] const Velocity<Real>* velocity() const { return velocity_; }
-    /// The velocity that sees the interface; null for the two other kinds.
+    /// The velocity that depends on the interface; null for the two other kinds.
     [[nodiscard]] const InterfaceFlow<Real>* seeing() const { return seeing_; }
     /// The motion of the whole interface; null for the two other kinds.
     [[nodiscard]] const InterfaceMotion<Real>* motion() const { return motion_; }
 
-    /// Whether all of the interface has to be at the same stage when it is asked.
+    /// Whether a call needs all submeshes at the same stage of the integrator.
     [[nodiscard]] bool needs_all() const { return needs_all_; }
 
 private:

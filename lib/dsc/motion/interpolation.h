@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Interpolators (thesis, section 8.9): the curve between interface vertices, and where a new one
-// goes. The thesis inserts linearly, which makes its interfaces jagged; the cubic through four
-// neighbours by chord length keeps the curve.
+// Interpolators (thesis, section 8.9): the curve between interface vertices, and the position of a
+// new vertex. The thesis inserts linearly, which makes interfaces jagged; the cubic through four
+// neighbours by chord length preserves the curve.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,7 +14,7 @@ namespace dsc {
 /// Where a new vertex on an interface edge goes.
 enum class Insertion : std::uint8_t {
     linear, ///< the midpoint of the edge
-    cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at corners
+    cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at features
 };
 
 inline constexpr std::array insertion_names{
@@ -26,7 +26,7 @@ inline constexpr std::array insertion_names{
     return name_in(insertion_names, insertion);
 }
 
-/// How the interface is read between its vertices.
+/// How the interface is interpreted between its vertices.
 enum class Reading : std::uint8_t {
     chords, ///< the edges themselves: second order in their length
     cubic,  ///< the 4-point Lagrange cubic by chord length: fourth order
@@ -41,8 +41,8 @@ inline constexpr std::array reading_names{
     return name_in(reading_names, reading);
 }
 
-/// Four consecutive points of the interface; a point between p1 and p2 is asked for. `has_first`
-/// and `has_last` are false where the curve ends, branches or has a corner.
+/// Four consecutive points of the interface, for a point between p1 and p2. `has_first` and
+/// `has_last` are false where the curve ends, branches or has a feature.
 template <class Real>
 struct CurveNeighbours {
     Point<Real> p0 = Point<Real>::Zero(); ///< before p1
@@ -59,12 +59,12 @@ template <class Real>
 using InsertionFunction = std::function<Point<Real>(const CurveNeighbours<Real>&)>;
 
 /// The point at `share` (0 to 1) of the chord from p1 to p2, on the Lagrange polynomial by chord
-/// length through the known neighbours: the interface is read as the piecewise cubic of these. It
-/// differs from a smooth curve by O(length^4). O(1).
+/// length through the known neighbours. This piecewise cubic differs from a smooth curve by
+/// O(length^4). O(1).
 template <class Real>
 Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
 
-/// The place of a new vertex between p1 and p2. O(1).
+/// The position of a new vertex between p1 and p2. O(1).
 template <class Real>
 Point<Real> insertion_point(Insertion insertion, const CurveNeighbours<Real>& neighbours);
 

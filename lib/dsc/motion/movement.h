@@ -18,8 +18,8 @@ inline constexpr double altitude_floor = 0.02;
 inline constexpr double altitude_keep = 0.5;
 
 /// The largest fraction in [0, 1] of the way to (x, y) for which every star triangle keeps an
-/// altitude of `altitude_floor` times its base, or `altitude_keep` of what it has; 0 where the way
-/// there is not finite. O(degree).
+/// altitude of `altitude_floor` times its base, or `altitude_keep` of its present altitude; 0 if
+/// (x, y) is not finite. O(degree).
 template <class Real>
 Real move_limit(const Star<Real>& star, Real x, Real y) {
     const Real dx = x - star.x0;
@@ -43,26 +43,26 @@ Real move_limit(const Star<Real>& star, Real x, Real y) {
         const Real spare = area - std::min(floor * base, keep * area);
         limit = std::min(limit, spare / std::max(-rate, tiny));
     }
-    // The minimum passes over what is not a number.
+    // `std::min` ignores NaN.
     return std::isfinite(dx) && std::isfinite(dy) ? std::max(limit, Real(0)) : Real(0);
 }
 
-/// How far a vertex came.
+/// How far a vertex moved.
 enum class MoveOutcome : std::uint8_t {
     reached, ///< the vertex is at its target
-    partly,  ///< it went some of the way
+    partly,  ///< it moved part of the way
     blocked, ///< it could not move at all
 };
 
-/// A move by less than this share of the way is not worth its rounding.
+/// Moves by less than this share of the way are not made: rounding would outweigh them.
 inline constexpr double min_fraction = 1e-3;
 
-/// What is left of a way is rounding up to this many units in the last place of the coordinates, or
-/// of an edge length where those are small: targets are sums of some terms and known no better.
+/// A vertex has arrived within this many units in the last place of its coordinates, or of an edge
+/// length where coordinates are small: targets are sums of a few terms and no more accurate.
 inline constexpr int arrival_units = 8;
 
-/// Whether a vertex is at its target, all but rounding. Sheets whose targets coincide creep to
-/// them, by about half of the way at a time. O(1).
+/// Whether a vertex is at its target, up to rounding. Sheets whose targets coincide approach them
+/// by about half of the way at a time. O(1).
 template <class Real>
 bool is_at(const Point<Real>& position, const Point<Real>& target, Real edge_length) {
     const Real scale = std::max(target.cwiseAbs().maxCoeff(), edge_length);
@@ -83,7 +83,7 @@ MoveOutcome move_vertex(const Submesh<Real>& submesh, Star<Real>& star, Real x, 
         const Real px = whole ? x : star.x0 + fraction * (x - star.x0);
         const Real py = whole ? y : star.y0 + fraction * (y - star.y0);
         if (px == star.x0 && py == star.y0 && !whole) {
-            break; // rounding leaves no place in between: that is no progress
+            break; // rounds to the old position: no progress
         }
         if (all_positive(star, px, py)) {
             rewire::move(submesh.complex, *submesh.log, star.vertex, px, py, reason);

@@ -8,7 +8,8 @@ namespace dsc {
 
 namespace {
 
-// True if link(v) and link(v') have more in common than link(e): an additional vertex or edge.
+// True if link(v) and link(keep) have a vertex or an edge in common that is not in link(e), e being
+// the edge from v to keep.
 template <class Real>
 bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::uint32_t keep,
                           std::uint32_t apex_a, std::uint32_t apex_b) {

@@ -23,8 +23,8 @@ template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept);
 
-/// Which end of an edge a vertex is, as seen from the corner that names the edge; nothing if the
-/// edge is not alive or the vertex is not one of its ends. O(1).
+/// Which end of an edge a vertex is, as seen from the corner that names the edge; empty if the edge
+/// is not alive or the vertex is not one of its ends. O(1).
 template <class Real>
 [[nodiscard]] std::optional<rewire::Vanishing> end_of(const Complex<Real>& complex, Edge edge,
                                                       Vertex vertex) {
@@ -46,10 +46,10 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, Edge edge, Vertex vani
     return end ? edge_collapse_guard(complex, region, edge.id, *end) : Verdict::not_a_simplex;
 }
 
-/// The guard for a vertex inside one phase whose star has been gathered and is owned as a whole:
-/// may the centre, if it is not locked, vanish into link vertex `i`? Only inversion can stop it:
-/// the star is a simple polygon, and a fan of strictly positive triangles from one of its vertices
-/// is a triangulation of it, whose inner edges cannot exist already. O(degree). Exact.
+/// Whether the centre of a gathered star, inside one phase and owned as a whole, may vanish into
+/// link vertex `i`; also answers locked. Otherwise only inversion can stop it: the star is a simple
+/// polygon, and strictly positive triangles from one of its vertices to the others triangulate it,
+/// with inner edges that cannot exist already. O(degree). Exact.
 template <class Real>
 Verdict star_collapse_guard(const Complex<Real>& complex, const Star<Real>& star, std::uint32_t i);
 

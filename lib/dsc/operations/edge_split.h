@@ -52,10 +52,10 @@ struct SplitResult {
     Vertex vertex;                    ///< the new vertex, if legal
 };
 
-/// Splits the edge opposite to `corner` at `point` if that is legal. Only the position needs to be
-/// known, so the choice of interpolator is the caller's. Vertex attributes are blended where it
-/// lies along the edge. Thread-safe for disjoint submeshes. For algorithms that know that their
-/// corners are alive.
+/// Splits the edge opposite to `corner` at `point` if that is legal. The caller chooses the
+/// interpolator that yields `point`. Vertex attributes are blended at the parameter of `point`
+/// along the edge. Thread-safe for disjoint submeshes. For algorithms that know that their corners
+/// are alive.
 template <class Real>
 SplitResult edge_split(const Submesh<Real>& submesh, Corner corner, const Point<Real>& point) {
     Complex<Real>& complex = submesh.complex;

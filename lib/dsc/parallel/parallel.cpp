@@ -30,7 +30,7 @@ std::uint32_t submeshes_of(const Parallel& parallel) {
 template <class Real>
 std::unique_ptr<Executor<Real>> make_executor(Complex<Real>& complex, const Options<Real>& options,
                                               const Parallel& parallel, Algorithm<Real> algorithm) {
-    complex.in_use.expect_free(); // before an executor takes ids that the other one counts
+    complex.in_use.expect_free(); // before the new executor takes ids that another one counts
     if constexpr (std::is_same_v<Real, double>) {
         return parallel.division->in_double(complex, options, parallel, std::move(algorithm));
     } else {
@@ -43,7 +43,7 @@ std::unique_ptr<Executor<Real>>
 make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
               std::type_identity_t<std::unique_ptr<Partitioner<Real>>> partitioner,
               Algorithm<Real> algorithm) {
-    complex.in_use.expect_free(); // before an executor takes ids that the other one counts
+    complex.in_use.expect_free(); // before the new executor takes ids that another one counts
     return std::make_unique<SubmeshExecutor<Real>>(complex, options, std::move(algorithm),
                                                    std::move(partitioner), parallel);
 }
@@ -54,7 +54,7 @@ std::optional<SubmeshView> submeshes_in(const Executor<Real>& executor) {
     return in_place == nullptr ? std::nullopt : std::optional(in_place->view());
 }
 
-// Declared with the simulation, defined here: nothing in the lower layers knows of threads.
+// Declared with the simulation; defined here because the lower layers do not depend on threads.
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              const Parallel& parallel)

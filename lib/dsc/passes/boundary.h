@@ -20,8 +20,8 @@ struct BoundaryLimits {
     Real longest = 0;
     Real shortest = 0;
     Real min_quality = 0; ///< equation 4, not squared
-    /// A shorter edge stops the interface that moves along it. It goes even if the edge that is
-    /// left is too long, which is then split: so this may not exceed half of what is too long.
+    /// A shorter edge blocks the interface that moves along it. It is collapsed even if the merged
+    /// edge is too long and split again: as a length, at most half of `longest`.
     Real blocking = 0;
 };
 
@@ -46,7 +46,7 @@ BoundaryEdge<Real> boundary_edge(const Star<Real>& star, bool is_first) {
     return incident_edge;
 }
 
-/// The squared length of the edge that is left on the domain boundary if the centre goes.
+/// The squared length of the merged edge on the domain boundary if the centre is collapsed.
 template <class Real>
 Real merged_on_boundary(const Star<Real>& star) {
     const Real dx = star.link_x(star.size) - star.link_x(0);
@@ -68,10 +68,9 @@ bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Re
            ((is_poor || shorter < limits.shortest) && merged_on_boundary(star) < limits.longest);
 }
 
-/// Whether the domain boundary's edge with the domain on its left, as seen from the centre, is too
-/// long; or the other one. The same limits on the whole boundary need only the first: an edge is
-/// found from one end. Where limits differ from place to place, an edge is too long if it is for
-/// either end.
+/// Whether the boundary edge with the domain on its left, as seen from the centre, is too long; or
+/// the other one. With uniform limits the first suffices, since each edge is the first one at one
+/// of its ends; otherwise an edge is too long if it is so at either end.
 template <class Real>
 bool should_split_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
                            bool is_first = true) {
@@ -112,10 +111,10 @@ bool collapse_on_boundary(Work<Real>& work, const Star<Real>& star,
     return false;
 }
 
-/// Splits the domain boundary's edge with the domain on its left, as seen from the centre, or the
-/// other one. Only if the midpoint lies exactly on the domain boundary: a vertex beside it would be
-/// a corner of the domain. The new vertex is activated. `out_of_ids` and `on_submesh_boundary`:
-/// another submesh has to do it.
+/// Splits the boundary edge with the domain on its left, as seen from the centre, or the other one,
+/// but only if the midpoint lies exactly on the domain boundary: a vertex beside it would be a
+/// corner of the domain. Activates the new vertex. After `out_of_ids` and `on_submesh_boundary`
+/// another submesh has to split it.
 template <class Real>
 SplitResult split_boundary(Work<Real>& work, const Star<Real>& star, bool is_first = true) {
     const BoundaryEdge<Real> incident_edge = boundary_edge(star, is_first);

@@ -47,7 +47,7 @@ Verdict collapse_star(Work<Real>& work, const Star<Real>& star, std::uint32_t i)
 
 /// Which vertices are activated after a split.
 enum class Wake : std::uint8_t {
-    far_end, ///< the new vertex, and the end of the edge that is not being visited already
+    far_end, ///< the new vertex, and the end of the edge that is not being visited
     all,     ///< the new vertex, and those of the two triangles
 };
 

@@ -33,8 +33,7 @@ void stay_on_boundary(const Star<Real>& star, Real& x, Real& y) {
     y = star.y0 + along * ty;
 }
 
-// Leaves a vertex that the submesh owns to another colour, and notes in its record which entry of
-// the queue is its own.
+// Defers an owned vertex to another colour, and stores the index of its queue entry in its record.
 template <class Real>
 void defer(Work<Real>& work, const MovingVertex<Real>& moving_vertex) {
     auto& record = work.complex.vertices[moving_vertex.vertex];
@@ -43,8 +42,7 @@ void defer(Work<Real>& work, const MovingVertex<Real>& moving_vertex) {
     work.deferred.moving_vertex(moving_vertex);
 }
 
-// Whether an owned vertex has been left to another colour. The slot may be stale: the entry there
-// decides. O(1).
+// Whether an owned vertex has been deferred. Its slot may be stale: the entry there decides. O(1).
 template <class Real>
 bool is_deferred(const Work<Real>& work, std::uint32_t vertex) {
     const auto& entries = work.deferred.entries;
@@ -53,8 +51,8 @@ bool is_deferred(const Work<Real>& work, std::uint32_t vertex) {
            entries[slot].kind == DeferredKind::moving_vertex;
 }
 
-// Whether a neighbour on the way to (x, y) has been left to another submesh. Whoever comes near it
-// before it moves gets past it, and neither can move any more. O(degree).
+// Whether a neighbour in the direction of (x, y) has been deferred to another submesh. A vertex
+// that passed it before it moves would block both. O(degree).
 template <class Real>
 bool follows_deferred(const Work<Real>& work, const Star<Real>& star, Real x, Real y) {
     const auto is_ahead = [&](std::uint32_t i) {
@@ -110,7 +108,7 @@ void move_vertices(Work<Real>& work) {
             stay_on_boundary(star, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
-            // It would leave the submesh, where the next colour looks for what was postponed.
+            // It would leave the submesh: the next colour looks for deferred vertices inside.
             defer(work, moving_vertex);
             continue;
         }

@@ -35,8 +35,8 @@ void check_options(const Options<Real>& options) {
     require(static_cast<double>(options.edge_length) >= min_edge_length<Real> &&
                 static_cast<double>(options.edge_length) <= max_edge_length<Real>,
             "edge_length", static_cast<double>(options.edge_length),
-            sizeof(Real) == sizeof(double) ? "1e-50 to 1e50; choose_frame brings any scene there"
-                                           : "1e-5 to 1e5; choose_frame brings any scene there");
+            sizeof(Real) == sizeof(double) ? "1e-50 to 1e50; scale other scenes with choose_frame"
+                                           : "1e-5 to 1e5; scale other scenes with choose_frame");
     check_sizes(options.sizes, options.edge_length);
     check_thresholds(options.phases);
     for (const auto& thresholds : options.per_phase) {

@@ -26,7 +26,7 @@ struct PhaseThresholds {
     double crowded = 0.9;
 };
 
-/// Which interface vertices at short edges may be removed. Corners never are.
+/// Which interface vertices at short edges may be removed. Features never are.
 enum class Coarsening : std::uint8_t {
     deviation, ///< those whose removal leaves the curve in place
     length,    ///< all, as in the thesis
@@ -52,7 +52,7 @@ struct InterfaceThresholds {
     /// ...or if the edge is shorter than this times the deviation and the curve turns by more than
     /// 45 degrees there: it is then the remnant of a collapsed tip.
     double degenerate = 5;
-    /// Turns sharper than this at the start are corners: they are kept, and curves are not
+    /// Turns sharper than this at the start are features: they are kept, and curves are not
     /// interpolated across them.
     double feature_degrees = 40;
 
@@ -76,8 +76,8 @@ template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
 
-    /// Longer edges where they may be; lengths relative to the edge length are relative to the
-    /// target there, but for those of the interface. Uniform, unless asked for.
+    /// Sizes that grow away from the interface: thresholds of phases are then relative to the local
+    /// target instead of the edge length. Uniform by default.
     SizeOptions<Real> sizes = {};
 
     PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
@@ -101,9 +101,9 @@ struct Options {
 
     double sub_step = 0.6;     ///< the farthest that a vertex moves at a time, in edge lengths
     int max_sub_steps = 10000; ///< of one step; then the step gives up and reports it
-    /// Of movement and mesh update, in one sub-step, which ends long before: once all vertices have
-    /// arrived or none makes progress. A step in which that does not happen gives up and reports
-    /// it.
+    /// Bound on the passes of movement and mesh update in one sub-step, which normally ends much
+    /// earlier: when all vertices have arrived or none makes progress. A step that reaches the
+    /// bound gives up and reports it.
     int max_passes = 1000;
     int max_idle_passes = 6; ///< passes without any progress before the sub-step ends
 

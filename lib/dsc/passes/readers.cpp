@@ -21,8 +21,8 @@ void wake_vertex(Work<Real>& work, Vertex v) {
     }
 }
 
-// The vertex and its link, counter-clockwise. Of the link, vertices of another submesh are left to
-// a later colour: their own submesh may be stamping them at this moment.
+// The vertex and its link, counter-clockwise. Link vertices of another submesh are deferred: their
+// own submesh may be stamping them at this moment.
 template <class Real>
 void wake_star(Work<Real>& work, Vertex v) {
     wake_vertex(work, v);
@@ -87,7 +87,7 @@ void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
     });
 }
 
-// Between triangles of one phase, perhaps on the domain boundary.
+// Whether all triangles of the star have the same phase; false without triangles.
 template <class Real>
 bool is_inside_phase(const Complex<Real>& complex, Vertex v) {
     if (!complex.is_alive(v) || complex.vertices[v.id].corner == no_id) {
@@ -158,7 +158,7 @@ void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32
         case EditKind::collapse: add({edit.ends[0], edit.ends[1]}); break;
         case EditKind::insert_vertex:
         case EditKind::remove_vertex: add({edit.vertex}); break;
-        // The triangle may have other vertices by now: these are those of the moment.
+        // The triangle may have other vertices by now; the record names those at the edit.
         case EditKind::relabel:
         case EditKind::insert_triangle:
         case EditKind::remove_triangle: add({edit.ends[0], edit.ends[1], edit.apexes[0]}); break;

@@ -20,9 +20,9 @@ namespace dsc {
 template <class Real>
 void wake(Work<Real>& work, std::span<const Edit> edits);
 
-/// The vertices that vanished by the edits, whose ids may be in use again, and those whose
-/// triangles changed their phase so that they are inside one now. Ascending, with duplicates.
-/// O(edits log edits).
+/// The vertices that the edits removed, whose ids may be in use again, and those that lie inside
+/// one phase now because triangles changed their phase. Ascending, with duplicates. O(edits log
+/// edits).
 template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> taken_off(const Complex<Real>& complex,
                                                    std::span<const Edit> edits);
@@ -30,7 +30,7 @@ template <class Real>
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).
 [[nodiscard]] std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits);
-/// The same in place of what a list holds, whose room is used again.
+/// The same into `changed`, whose entries are replaced and whose memory is reused.
 void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed);
 
 /// Removes the vertices in `changed` (ascending) from the list. O(list log changed).
@@ -47,8 +47,8 @@ template <class Real>
 
 /// Runs a pass, and reads its log unless the pass attends to its own edits: calls `wake`, and
 /// applies the changes of the interface to `work.interface`, noting them in
-/// `work.changed_interface` for lists kept elsewhere. Where phases are advected, the list is
-/// brought up to date after every pass: vertices inside come and go in all of them.
+/// `work.changed_interface` for lists kept elsewhere. With advected phases, the list is updated
+/// after every pass: any pass may add or remove vertices inside.
 template <class Real>
 void run_pass(Work<Real>& work, const Pass<Real>& pass);
 

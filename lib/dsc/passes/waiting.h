@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Vertices that have yet to arrive, because another submesh has to move something first or others
-// are in their way: what lies around them is out of shape only for the moment. Where that matters
-// it is left to a later colour or pass.
+// Vertices that have yet to arrive, because another submesh has to move something first or other
+// vertices block them: their stars are distorted only for the moment. Where that matters, the stars
+// are left to a later colour or pass.
 #pragma once
 
 #include "dsc/passes/algorithm.h"
@@ -17,16 +17,16 @@ bool is_waiting(const Complex<Real>& complex, std::uint32_t vertex) {
     return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
 }
 
-/// Where stars are left as they are while one of their vertices has yet to arrive.
+/// Which stars are not edited while one of their vertices has yet to arrive.
 struct WaitingRule {
-    bool in_advected_phases = false; ///< their triangles are to stay what they are
-    bool everywhere = false;         ///< fields have values of two times there
+    bool in_advected_phases = false; ///< whose triangles have to be kept
+    bool everywhere = false;         ///< because fields mix values of two times there
 
     [[nodiscard]] bool applies() const { return in_advected_phases || everywhere; }
 };
 
-/// Of a work. Stars wait only while vertices arrive: one that goes half of its way in each pass,
-/// because a star around it waits, never would. O(attributes).
+/// The rule for a work. Stars wait only while vertices arrive: otherwise a vertex that moves half
+/// of its way in each pass, because a star around it waits, would never arrive. O(attributes).
 template <class Real>
 WaitingRule waiting_rule(const Work<Real>& work) {
     if (work.arrived == 0 && !work.moving_vertices.empty()) {
@@ -35,7 +35,7 @@ WaitingRule waiting_rule(const Work<Real>& work) {
     return {!work.options.advected_phases.empty(), work.complex.attributes.has_fields()};
 }
 
-/// Whether an owned star is one of these. O(degree).
+/// Whether an owned star has to wait. O(degree).
 template <class Real>
 bool waits(const Work<Real>& work, const WaitingRule& rule, const Star<Real>& star) {
     const auto advects = [&](Phase phase) { return work.options.advects(phase); };
@@ -57,7 +57,7 @@ bool waits_around(const Work<Real>& work, const WaitingRule& rule, Corner c) {
     return is_late(c) || is_late(next(c)) || is_late(prev(c)) || is_late(complex.twin(c));
 }
 
-/// Leaves a star to a later colour; alone on the complex, to the next pass.
+/// Defers a star to a later colour or, if the submesh is the whole complex, to the next pass.
 template <class Real>
 void deferred(Work<Real>& work, std::uint32_t vertex) {
     if (work.submesh.region.is_whole()) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Quality measures (thesis, section 4.3): of the simplices of a complex, and of a vertex's star on
-// all lanes at once. geometry/triangle.h has them for points, with their ranges. Of a star the
-// measure is equation 4 squared, so that no square root is taken, and negative where a triangle is
-// inverted.
+// all lanes at once. geometry/triangle.h defines them for points, with their ranges. Stars use the
+// square of equation 4, which needs no square root, with a negative sign for inverted triangles.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -97,8 +96,8 @@ Real worst_quality_squared_after_collapse(const Star<Real>& star, std::uint32_t 
     return worst == harmless ? worst : worst * Real(4.0 / 3.0);
 }
 
-/// True if every triangle with the centre at (px, py) is certainly positive; false sends the caller
-/// to the exact predicate.
+/// True if every triangle with the centre at (px, py) is certainly positive; if false, the exact
+/// predicate has to decide.
 template <class Real>
 bool certainly_positive(const Star<Real>& star, Real px, Real py) {
     Real least = std::numeric_limits<Real>::max();
@@ -146,9 +145,8 @@ struct StarReport {
     Real quality;  ///< as `worst_quality_squared`
 };
 
-/// The Delaunay margin of an incident edge from its end and the two next to it in the link,
-/// relative to the centre: the angles opposite to the incident edge lie at the previous and at the
-/// next vertex.
+/// The Delaunay margin of an incident edge, from its end and the previous and the next link vertex,
+/// relative to the centre: the angles opposite to the edge lie at these two vertices.
 template <class Real>
 [[nodiscard]] Real incident_edge_margin(Real x, Real y, Real x_next, Real y_next, Real x_previous,
                                         Real y_previous) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declared with the complex, defined here: the validator has the last word.
+// Declared with the complex; defined here because it calls the validator.
 #include "dsc/complex/complex.h"
 #include "dsc/queries/validate.h"
 
@@ -36,7 +36,7 @@ void archive(Archive& archive, FreeIds& ids) {
 
 namespace {
 
-// Ids of simplices that may have vanished since, but not of any that have never been.
+// The simplices of an edit may have vanished since, but must have existed.
 template <class Real>
 void expect_edit(const Archive& archive, const Complex<Real>& complex, const Edit& edit) {
     const auto expect = [&](std::uint32_t id, std::uint32_t bound) {

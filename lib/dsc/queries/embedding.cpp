@@ -11,7 +11,7 @@ namespace dsc {
 
 namespace {
 
-// The boundary, edge by edge; the triangle of an edge lies to the left of its way.
+// The boundary, edge by edge; each edge has its triangle on the left.
 struct Boundary {
     std::vector<Point<double>> points;     // where edge i begins
     std::vector<NetworkLine> edges;        // from point i to the next one of its loop
@@ -84,12 +84,13 @@ std::string find_overlap(const Complex<Real>& complex, ValidationReport& report)
                " instead of " + std::to_string(expected) + " for " +
                std::to_string(report.components) + " components with " +
                std::to_string(report.boundary_loops) +
-               " boundary loops: it does not fit into the plane";
+               " boundary loops: it cannot be embedded in the plane";
     }
-    // Edges that share a vertex meet only there, because its half disc goes around once.
+    // Edges that share a vertex meet only there, because the half disc around it does not overlap
+    // itself.
     if (const auto contact = find_contact(boundary.points, boundary.edges)) {
         return boundary.name(contact->line) + " meets " + boundary.name(contact->other) +
-               ": the domain lies over itself";
+               ": the domain overlaps itself";
     }
     for (const std::uint32_t loop : boundary.loops) {
         if (report.components > 1 && winding_of_others(boundary, loop) != 0) {

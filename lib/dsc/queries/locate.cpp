@@ -25,7 +25,7 @@ Location found(const Complex<Real>& complex, const WalkEnd& end) {
 
 // Tests one triangle; `stopped` if the point is outside.
 template <class Real>
-WalkEnd look_into(const Complex<Real>& complex, Triangle t, const Point<Real>& point) {
+WalkEnd locate_in(const Complex<Real>& complex, Triangle t, const Point<Real>& point) {
     return walk(complex, t, point, 1, [](Corner) { return false; });
 }
 
@@ -51,7 +51,7 @@ Location locate(const Complex<Real>& complex, const Point<Real>& point, Triangle
         return location;
     }
     for (const Triangle t : all) {
-        const Location location = found(complex, look_into(complex, t, point));
+        const Location location = found(complex, locate_in(complex, t, point));
         if (location.kind != Location::Kind::outside) {
             return location;
         }

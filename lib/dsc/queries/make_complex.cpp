@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declared with the complex, defined here: the validator has the last word.
+// Declared with the complex; defined here because it calls the validator.
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"

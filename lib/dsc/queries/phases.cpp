@@ -25,7 +25,7 @@ std::vector<Phase> phases(const Complex<Real>& complex) {
 
 namespace {
 
-// In plain numbers: points as vectors would be stored and loaded again.
+// In scalars: Eigen vectors would be stored and loaded again.
 template <class Real>
 double area_in_double(const Complex<Real>& complex, Triangle t) {
     const auto& v = complex.triangles[t.id].v;
@@ -65,7 +65,7 @@ Components components(const Complex<Real>& complex) {
             return phase_of[triangle_of(across[i])] == phase_of[t.id];
         };
         const std::array joined{is_free(0), is_free(1), is_free(2)};
-        // One branch in place of three, which nobody could predict.
+        // One branch in place of three unpredictable ones.
         if (std::ranges::count(joined, true) != 3) [[unlikely]] {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 if (!joined[i]) {

@@ -103,16 +103,17 @@ struct PartsInPieces : Parts {
     }
 };
 
-/// Two triangles that share an edge are in one part if `joined(triangle)[i]` is true for both of
-/// them, i being the index of the corner opposite to the edge; or for neither. It is asked once for
-/// each triangle, ascending. O(triangles): one sweep by id, in which a triangle takes the smallest
+/// `joined(triangle)[i]`, i being the index of the corner opposite to an edge, says whether the two
+/// triangles there are in one part; it must be the same for both. It is called once for each
+/// triangle, ascending. O(triangles): one sweep by id, in which a triangle takes the smallest
 /// number of its neighbours before it.
 template <class Real, class Joined>
 [[nodiscard]] PartsInPieces label_pieces(const Complex<Real>& complex, Joined joined) {
     PartsInPieces parts;
     parts.of.resize(complex.triangle_bound(), no_id);
     std::uint32_t* const number_of = parts.of.data();
-    std::vector<std::uint32_t>& same_as = parts.part_of; // so far a smaller one, or itself
+    std::vector<std::uint32_t>& same_as = parts.part_of; // a smaller number of the same part, or
+                                                         // itself
     const auto smallest = [&](std::uint32_t number) {
         while (same_as[number] != number) {
             number = same_as[number] = same_as[same_as[number]];
@@ -166,13 +167,14 @@ template <class Real, class Joined>
     return parts;
 }
 
-/// Half-edges, each named by the corner opposite to it, that a walk takes one after the other.
+/// A set of half-edges, each named by the corner opposite to it, for walks that take each of them
+/// once.
 class HalfEdges {
 public:
     /// These, in ascending order.
     explicit HalfEdges(std::vector<Corner> ascending)
         : all_(std::move(ascending)), is_taken_(all_.size(), 0) {}
-    /// Those for which `is_edge(corner)` holds. O(triangles).
+    /// The half-edges for which `is_edge(corner)` holds. O(triangles).
     template <class Real, class IsEdge>
     HalfEdges(const Complex<Real>& complex, IsEdge is_edge) {
         for (const Triangle t : triangles(complex)) {
@@ -182,7 +184,8 @@ public:
         }
         is_taken_.resize(all_.size(), 0);
     }
-    /// Those of them that begin at the given vertices. O(their stars).
+    /// The half-edges for which `is_edge(corner)` holds and that begin at the given vertices.
+    /// O(their stars).
     template <class Real, class IsEdge>
     HalfEdges(const Complex<Real>& complex, std::span<const std::uint32_t> from, IsEdge is_edge) {
         for (const std::uint32_t v : from) {
@@ -200,7 +203,8 @@ public:
         }
         return first_ < all_.size() ? all_[first_] : no_id;
     }
-    /// Takes one. False if it has been taken before, or is none of them. O(log their number).
+    /// Takes this one. False if it has been taken before, or is not in the set. O(log their
+    /// number).
     bool take(Corner corner) {
         const auto at =
             static_cast<std::size_t>(std::ranges::lower_bound(all_, corner) - all_.begin());
@@ -269,9 +273,9 @@ using VertexLoop = std::vector<Vertex>;
 /// The outlines of the phases for which `belongs(phase)` holds, taken together: counter-clockwise
 /// around them, clockwise around holes, with edges of the domain boundary where they reach it.
 /// Where two triangles of these phases meet only at a vertex, two outlines touch, or one passes
-/// through it twice. In the order of `for_each_loop`. O(triangles); O(`interface`), apart from a
-/// logarithm, where these are all vertices of the interface (`Simulation::interface`), and the
-/// exterior phase is none of the phases.
+/// through it twice. In the order of `for_each_loop`. O(triangles), or O(n log n) in the n vertices
+/// of `interface`: these must be all vertices of the interface (`Simulation::interface`), and are
+/// used unless the exterior phase belongs.
 template <class Real, class Belongs>
 [[nodiscard]] std::vector<VertexLoop>
 outlines_where(const Complex<Real>& complex, Belongs belongs,

@@ -87,7 +87,7 @@ Problem check_vertices(const Complex<Real>& complex, ValidationReport& report) {
         }
         if (!is_corner_of_living(complex, record.corner)) {
             return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
-                   ") does not live";
+                   ") is not alive";
         }
         if (complex.vertex(record.corner) != v.id) {
             return name_vertex(complex, v.id) + ": its corner (" + name_corner(record.corner) +
@@ -104,7 +104,7 @@ Problem check_link(const Complex<Real>& complex, Corner c) {
         return {};
     }
     if (!is_corner_of_living(complex, across)) {
-        return name_corner(c) + ": its neighbour (" + name_corner(across) + ") does not live";
+        return name_corner(c) + ": its neighbour (" + name_corner(across) + ") is not alive";
     }
     if (triangle_of(across) == triangle_of(c)) {
         return name_corner(c) + ": the triangle is its own neighbour";
@@ -126,7 +126,7 @@ Problem check_corners(const Complex<Real>& complex, std::uint32_t t) {
     const auto& v = complex.triangles[t].v;
     for (const std::uint32_t id : v) {
         if (!complex.is_alive(Vertex{id})) {
-            return name_triangle(complex, t) + ": vertex " + std::to_string(id) + " does not live";
+            return name_triangle(complex, t) + ": vertex " + std::to_string(id) + " is not alive";
         }
         if (complex.vertices[id].corner == no_id) {
             return name_vertex(complex, id) + ": it has no corner but is a vertex of " +
@@ -209,7 +209,8 @@ bool is_upper(const Point<Real>& centre, const Point<Real>& p) {
     return p.y() > centre.y() || (p.y() == centre.y() && p.x() > centre.x());
 }
 
-// Rotates about v; the links are known to be correct, so this ends. `expected` triangles name it.
+// Rotates about v; terminates because the links are known to be correct. `expected` is the number
+// of triangles that name v.
 template <class Real>
 Problem check_fan(const Complex<Real>& complex, std::uint32_t v, std::uint32_t expected) {
     const Corner first = first_corner(complex, complex.vertices[v].corner);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Compiled without errno for square roots (CMakeLists.txt): the loop over the lanes has them.
+// Compiled without errno for square roots (CMakeLists.txt), so that the loop over the lanes becomes
+// vector code.
 #include "dsc/sizes/rule.h"
 
 namespace dsc {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the target length should be at a vertex, given its star. A value that grows with the
-// distance reaches a vertex along edges, or across the triangles of its star, which is exact for a
-// straight front (R. Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", 1998).
+// The target length at a vertex, given its star. A value that grows with the distance propagates to
+// a vertex along edges or across the triangles of its star, which is exact for a straight front (R.
+// Kimmel, J. A. Sethian, "Computing geodesic paths on manifolds", 1998).
 #pragma once
 
 #include "dsc/base/error.h"
@@ -14,9 +14,9 @@
 
 namespace dsc {
 
-/// The least of value(q) + slope |p - q| over the points q strictly between a and b, where the
-/// value is linear; infinity if it is at an end, or if the values at both ends are infinite. (ax,
-/// ay) and (bx, by) lead from p to a and b. `slope` must be positive. Without branches.
+/// The minimum of value(q) + slope |p - q| over the points q strictly between a and b, where the
+/// value is linear; infinity if the minimum is at an end, or if the values at both ends are
+/// infinite. (ax, ay) and (bx, by) lead from p to a and b. `slope` must be positive. Branch-free.
 template <class Real>
 Real min_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b, Real slope) {
     const Real ex = bx - ax;
@@ -24,27 +24,27 @@ Real min_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b,
     const Real squared = ex * ex + ey * ey;
     const Real along = -(ax * ex + ay * ey);
     const Real across = std::abs(ax * by - ay * bx);
-    // How far the front rises along the edge, and how far it goes sideways: 0 where it is steeper
-    // than the slope, and the lower end always the better start.
+    // How far the front rises along the edge, and how far it moves sideways: 0 where the value is
+    // steeper than the slope, so that the minimum is at the lower end.
     const Real rise = (value_b - value_a) / slope;
     const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
     const Real foot = along * sideways - across * rise; // over sideways: along the edge
     const Real value = value_a + slope * (rise * along + sideways * across) / squared;
-    // A choice between constants: between computed values it would become a branch, and a loop over
-    // lanes no loop over vectors.
+    // Selects between constants: a selection between computed values would become a branch, and the
+    // loop over lanes would not be vectorised.
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Real bound = std::min(foot, squared * sideways - foot) > 0 ? -infinity : infinity;
     return std::max(bound, value);
 }
 
-/// The values at the link of a star: as the star's coordinates, padded, with those of the next link
-/// vertex beside them.
+/// The values at the link of a star, padded like the star's coordinates, with those of the next
+/// link vertex beside them.
 template <class Real>
 struct LinkValues {
     alignas(64) std::array<Real, Star<Real>::room> at;   ///< of link vertex i
     alignas(64) std::array<Real, Star<Real>::room> next; ///< of link vertex i + 1
 
-    /// Takes value(v) of each vertex v of the link. O(degree).
+    /// Stores value(v) for each vertex v of the link. O(degree).
     template <class Value>
     void take(const Star<Real>& star, Value value) {
         const std::uint32_t n = star.size;
@@ -61,7 +61,7 @@ struct LinkValues {
     }
 };
 
-/// The least of value(q) + slope |p - q| over the points q of the link of a star, whose centre is
+/// The minimum of value(q) + slope |p - q| over the points q of the link of a star, whose centre is
 /// p; the value is linear along the link's edges. O(degree).
 template <class Real>
 Real min_over_link(const Star<Real>& star, Real slope, const LinkValues<Real>& values);
@@ -73,7 +73,7 @@ bool is_on_interface(const Star<Real>& star) {
     return !star.one_phase || (!star.closed && star.phase[0] != exterior_phase);
 }
 
-/// What the target should be. Thread-safe if the functions of the application are.
+/// Computes targets. Thread-safe if the functions of the application are.
 template <class Real>
 class SizeRule {
 public:
@@ -84,16 +84,16 @@ public:
           slope_(static_cast<Real>(options.growth) - 1),
           slack_(std::min(Real(0.1), Real(0.3) * slope_)) {}
 
-    /// By how much a target grows over a length of 1.
+    /// The growth of a target per unit of length.
     [[nodiscard]] Real slope() const { return slope_; }
-    /// Changes of less than this share of the target are not followed. Two neighbours that hold
-    /// each other down rise by the slope times the edge between them, which is longer than the 0.3
-    /// above times their target: they are not held up.
+    /// Changes by less than this share of the target are ignored. Two neighbours that limit each
+    /// other rise by the slope times the edge between them, which is longer than the 0.3 above
+    /// times their target: the slack does not stop them.
     [[nodiscard]] Real slack() const { return slack_; }
-    /// Whether the distance to the interface has to be kept.
+    /// Whether targets depend on the distance to the interface, which is then stored.
     [[nodiscard]] bool needs_distance() const { return bool(options_.by_distance); }
 
-    /// The target at the centre without regard to its neighbours. O(degree).
+    /// The target at the centre, regardless of its neighbours. O(degree).
     [[nodiscard]] Real own(const Star<Real>& star, Real distance, Real time) const {
         if (is_finest(star)) {
             return edge_length_;
@@ -117,12 +117,12 @@ public:
         return least;
     }
 
-    /// The target of the interface's own edges at a place; only where there is one.
+    /// The target of interface edges at a place; requires the option `on_interface`.
     [[nodiscard]] Real on_interface(const Point<Real>& place, Real time) const {
         return checked(options_.on_interface(place, time), "sizes.on_interface", place);
     }
 
-    /// Whether all that matters at the centre is that it is on the interface. O(1).
+    /// Whether the target is the edge length because the centre is on the interface. O(1).
     [[nodiscard]] bool is_finest(const Star<Real>& star) const {
         return !options_.by_place && !options_.on_interface && is_on_interface(star);
     }
@@ -135,7 +135,7 @@ public:
         if (needs_distance() || !star.closed) {
             return false;
         }
-        // A target between these two is not followed, whatever the rounding is.
+        // A target between these two is ignored, however it is rounded.
         const Real least = stored / (1 + slack_) * Real(1 + 1e-5);
         const Real most = stored * (1 + slack_) * Real(1 - 1e-5);
         const Real alone = own(star, 0, time);
@@ -154,7 +154,8 @@ public:
             const Real incident_edge = slope_ * slope_ * (ax * ax + ay * ay);
             const Real room = most - here;
             is_low_enough |= incident_edge <= room * std::abs(room);
-            // Nothing on the edge is lower than its lower end, or nearer than the line through it.
+            // On the edge, no value is below that of its lower end, and no point is nearer than the
+            // line through it.
             const Real across = slope_ * (ax * by - ay * bx);
             const Real lack = least - std::min(here, next);
             is_high_enough &= across * across >= lack * std::abs(lack) * (ex * ex + ey * ey);
@@ -164,7 +165,7 @@ public:
         return is_low_enough && is_high_enough && is_above;
     }
 
-    /// The same with regard to its neighbours, of which `sizes` knows. O(degree).
+    /// The target at the centre, limited by the values of its neighbours in `sizes`. O(degree).
     template <class Sizes>
     [[nodiscard]] VertexSize<Real> at(const Star<Real>& star, const Sizes& sizes, Real time) const {
         LinkValues<Real> values;
@@ -179,10 +180,10 @@ public:
     }
 
 private:
-    // What a function of the application has returned for a place.
+    // Checks the length that a function of the application returned for a place.
     [[nodiscard]] Real checked(Real length, const char* name, const Point<Real>& place) const {
         if (!(length > 0)) [[unlikely]] {
-            throw InputError({.what = "no length",
+            throw InputError({.what = "not a length",
                               .where = name,
                               .value = to_text(length) + " at " + to_text(place),
                               .allowed = "above 0; infinity for no bound"});

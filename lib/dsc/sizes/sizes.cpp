@@ -25,27 +25,27 @@ void check_sizes(const SizeOptions<Real>& sizes, Real edge_length) {
     const bool asks = longest != 0 || shortest != 0 || sizes.by_place || sizes.on_interface ||
                       sizes.by_distance || sizes.changes_in_time;
     require(!sizes.is_uniform() || !asks, "sizes.growth", sizes.growth,
-            "above 1, up to 2, where another target is set");
+            "above 1, up to 2, if any other size option is set");
     require(!sizes.changes_in_time || sizes.by_place || sizes.on_interface, "sizes.changes_in_time",
-            1, "no, where there is no target by place");
+            1, "false, or set sizes.by_place or sizes.on_interface");
 }
 
 namespace {
 
-/// A vertex and the value that it was put on the heap with.
+/// A vertex with its value when it was pushed on the heap.
 template <class Real>
 struct Reached {
     Real value;
     std::uint32_t vertex;
 
-    // The smallest on top; vertices of one value by their ids, so that the order is certain.
+    // The smallest value on top; equal values by id, so that the order is unique.
     friend bool operator<(const Reached& a, const Reached& b) {
         return a.value != b.value ? a.value > b.value : a.vertex > b.vertex;
     }
 };
 
-/// Dijkstra's algorithm, where a value reaches a vertex across triangles as well. Where a triangle
-/// is obtuse, a vertex may become lower after its turn, and gets another one.
+/// Dijkstra's algorithm in which values also propagate across triangles. With obtuse triangles the
+/// value of a vertex may decrease after the vertex was popped; it is then pushed again.
 template <class Real>
 class March {
 public:
@@ -94,7 +94,7 @@ private:
     }
 
     void lower(std::uint32_t v, Real value) {
-        constexpr Real worth = Real(1e-3); // of the value: what a second turn has to bring
+        constexpr Real worth = Real(1e-3); // of the value: smaller decreases are ignored
         if (value < values_[v] && !(values_[v] - value < worth * value)) {
             values_[v] = value;
             queue_.push({value, v});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// How long edges should be: everywhere the same, or growing away from the interface, by a field of
-// the application where it gives one. The target length is kept at each vertex: an attribute of the
-// complex, so that it follows splits, renumbering and copies. It is measured for the whole mesh at
-// the start, and after what the update of single stars does not see.
+// Target edge lengths: uniform, growing away from the interface, or given by functions of the
+// application. Each vertex stores its target in an attribute of the complex, which follows splits,
+// renumbering and copies. Targets are computed for the whole mesh at the start, and after changes
+// that the update of single stars does not notice.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,10 +14,10 @@
 namespace dsc {
 
 /// Lengths are in units of the domain. The edge length of the options is the finest target, unless
-/// `shortest` allows finer ones: results of the functions are clamped to at least that. Where one
-/// is not above 0, or NaN, what has asked for it (a simulation, an initial complex, a step) throws
-/// InputError with the place. The functions are called from several threads at once where submeshes
-/// run in parallel.
+/// `shortest` allows finer ones: results of the functions are clamped to at least that. If a
+/// function returns NaN or a value that is not above 0, the caller (a simulation, an initial
+/// complex, a step) throws InputError with the place. The functions are called from several threads
+/// at once where submeshes run in parallel.
 template <class Real>
 struct SizeOptions {
     /// A length by place, time and phase.
@@ -28,26 +28,26 @@ struct SizeOptions {
     using ByDistance = std::function<Real(Real distance)>;
 
     /// How much longer an edge may be than its neighbour towards the interface: above 1, up to 2.
-    /// At the distance d of edges of length h, edges of h + (growth - 1) d are wanted. 0: all edges
-    /// are of one length, and nothing else here may be set.
+    /// At the distance d from edges of length h, the target is h + (growth - 1) d. 0: uniform, and
+    /// no other option here may be set.
     double growth = 0;
     Real longest = 0; ///< the longest target; 0: the extent of the mesh
     /// The shortest target that the functions may give, at most the edge length. 0: the edge
     /// length.
     Real shortest = 0;
-    /// A target by place, time and phase; where phases meet the shortest counts. It holds for edges
-    /// that end on the interface too, but not for those that are part of it. Empty: none.
+    /// A target by place, time and phase; where phases meet, the shortest applies. It also applies
+    /// to edges that end on the interface, but not to edges of the interface. Empty: none.
     ByPlace by_place = {};
     /// A target for the edges of the interface itself, by place and time: their thresholds are
-    /// relative to it, and edges beside them are no longer than it lets them be. Empty: the edge
-    /// length.
+    /// relative to it, and it limits the edges beside them. Empty: the edge length.
     OnInterface on_interface = {};
-    /// `by_place` or `on_interface` does: the whole mesh is looked at in each step.
+    /// True if `by_place` or `on_interface` depends on time. All vertices are then visited in each
+    /// step.
     bool changes_in_time = false;
     /// A target by the distance to the interface. Empty: none.
     ByDistance by_distance = {};
 
-    /// Whether all edges are of one length.
+    /// Whether all edges have the same target.
     [[nodiscard]] bool is_uniform() const { return growth == 0; }
 };
 
@@ -80,15 +80,16 @@ SizeOptions<Real> sizes_in(const SizeOptions<From>& sizes) {
     return result;
 }
 
-/// Throws InputError if a value is out of range, or set although all edges are of one length.
+/// Throws InputError if a value is out of range, or set although sizes are uniform.
 template <class Real>
 void check_sizes(const SizeOptions<Real>& sizes, Real edge_length);
 
-/// What is known at a vertex. New ones that are on no edge know nothing.
+/// The sizes at a vertex. Infinite for vertices that no edge split created.
 template <class Real>
 struct VertexSize {
     Real length = std::numeric_limits<Real>::infinity();   ///< target of edges
-    Real distance = std::numeric_limits<Real>::infinity(); ///< to the interface; kept if needed
+    Real distance = std::numeric_limits<Real>::infinity(); ///< to the interface; stored only for
+                                                           ///< `by_distance`
 };
 
 template <class Real>
@@ -108,7 +109,7 @@ SizeField<Real>& size_field(Complex<Real>& complex);
 template <class Real>
 Real extent_of(const Complex<Real>& complex);
 
-/// Computes the targets of all vertices from nothing, and the distances to the interface if they
+/// Computes the targets of all vertices from scratch, and the distances to the interface if they
 /// are needed; the targets are those of the attribute `size_field`. The same complex gives the same
 /// bits. O(n log n).
 template <class Real>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* name_of_past = "thesis.past";
 
-/// The attribute where it is known to be there: several threads may ask at once.
+/// The attribute, which must exist: several threads may ask for it at once.
 template <class Real>
 VertexAttribute<Past<Real>>& known_past(Complex<Real>& complex) {
     return complex.attributes.template get<Vertex, Past<Real>>(name_of_past);

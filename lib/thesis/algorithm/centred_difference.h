@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The centred difference (thesis, section 9.4): an integrator of second order that needs one
-// evaluation of the velocity, because it remembers the last step of each vertex.
+// evaluation of the velocity, because it stores the last step of each vertex.
 #pragma once
 
 #include "dsc/motion/integrator.h"
@@ -10,31 +10,31 @@
 
 namespace dsc {
 
-/// An error of the past, if only its rounding, enters the next step multiplied by the square of the
-/// ratio of both steps. Steps may become this many times longer before the past is left behind: two
+/// An error of the past, even rounding, enters the next step multiplied by the square of the ratio
+/// of the two steps. Steps may become this many times longer before the past is discarded: two
 /// digits of it are lost by then.
 inline constexpr double max_growth = 10;
 
-/// Where the velocity turns by more than 60 degrees from one step to the next, it jumps, as at the
-/// tip where two growing discs have met: a step that is built on the last one goes to the other
-/// side of the tip there, and the next one back. Unless the last step was shorter than this share
-/// of each edge at the vertex: a flow that turns back comes to rest in between, and there the
-/// centred difference loses its symmetry in time with its past.
+/// Where the velocity turns by more than 60 degrees from one step to the next, it counts as a jump,
+/// as at the tip where two growing discs have met: a step that builds on the last one goes to the
+/// other side of the tip there, and the next one back. It does not count if the last step was
+/// shorter than this share of each edge at the vertex: a flow that turns back comes to rest in
+/// between, and without its past the centred difference would lose its symmetry in time there.
 inline constexpr double longest_at_rest = 0.1;
 
 /// The last step of a vertex.
 template <class Real>
 struct Past {
     Point<Real> way = Point<Real>::Zero(); ///< to its last target
-    Real dt = 0;                           ///< in this time; 0: it has no past yet
-    /// The length of that step by that of the shortest since the vertex had no past, at least.
+    Real dt = 0;                           ///< the duration of that step; 0: it has no past yet
+    /// At least the duration of that step divided by the shortest since the vertex had no past.
     Real growth = 1;
 
     /// `growth` at the end of a step of this length.
     [[nodiscard]] Real growth_after(Real next_dt) const {
         return std::max(growth * (next_dt / dt), Real(1));
     }
-    /// Whether a next step of this length may be built on this one.
+    /// Whether a next step of this duration may build on this one.
     [[nodiscard]] bool serves(Real next_dt) const {
         return dt > 0 && growth_after(next_dt) <= static_cast<Real>(max_growth);
     }
@@ -49,15 +49,15 @@ void archive(Archive& archive, Past<Real>& past) {
     archive(past.way, past.dt, past.growth);
 }
 
-/// The attribute "thesis.past" of the complex, made if there is none yet. A new vertex has no past.
+/// The attribute "thesis.past" of the complex, created if there is none yet. A new vertex has no
+/// past.
 template <class Real>
 VertexAttribute<Past<Real>>& past_of(Complex<Real>& complex);
 
-/// The integrator, for `Options::custom_integrator`. Vertices without a past, or whose steps have
-/// become more than `max_growth` times longer since they had none, or whose velocity jumps, take a
-/// midpoint step.
+/// The integrator, for `Options::custom_integrator`. Vertices without a past, whose steps have
+/// become more than `max_growth` times longer since, or whose velocity jumps, take a midpoint step.
 /// Unstable for any step in flows that smooth the interface. Returns the same object each time:
-/// options that are made anew do not make a simulation forget.
+/// replacing options does not make a simulation forget the past.
 template <class Real>
 [[nodiscard]] std::shared_ptr<const CustomIntegrator<Real>> centred_difference();
 

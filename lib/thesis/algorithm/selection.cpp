@@ -76,7 +76,7 @@ SelectionStrategy<Simplex> n_worst(std::size_t n) {
 template <class Simplex>
 Simplex Selection<Simplex>::get_next() {
     if (!has_next()) {
-        throw InvariantError("Selection::get_next: nothing is left; ask has_next first");
+        throw InvariantError("Selection::get_next: no simplex left; call has_next first");
     }
     return chosen_[next_++];
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Selection strategies (thesis, section 8.8): the choice of the simplices on which a mesh update
-// works. A strategy is a function from any quality measure and any simplices to the chosen ones, so
-// that an application brings its own by writing one (algorithm 5.2 then asks `has_next` and
-// `get_next`).
+// works. A strategy is a function from a quality measure and simplices to the chosen ones, and an
+// application may write its own (algorithm 5.2 then calls `has_next` and `get_next`).
 //
 // "Worst" is the smallest quality. For a measure whose large values are bad (a length, an area),
 // give its negative.

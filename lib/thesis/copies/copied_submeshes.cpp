@@ -36,8 +36,9 @@ void find_keys(const Complex<Real>& mesh, const CountingDivision& division,
     }
 }
 
-// Where the shares end. The printed bounds of the black ones leave out k triangles after the first
-// half share; the text and figure 6.2b show what is meant: the red bounds, shifted by half a share.
+// Finds where the shares end. The printed bounds of the black ones leave out k triangles after the
+// first half share; the text and figure 6.2b show the intention: the red bounds, shifted by half a
+// share.
 void find_cuts(std::size_t triangles, const CountingDivision& division,
                std::vector<std::size_t>& cuts) {
     const std::size_t n = division.submeshes;
@@ -238,7 +239,7 @@ void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices) {
         {{no_id, no_id, no_id}, {border_corner, border_corner, border_corner}, border_phase, 0});
     submesh.shared.resize(complex.vertices.size(), no_id);
     copying::count_entries(complex);
-    // Ids are taken from the end of the pool, so that the lowest is taken first.
+    // In descending order: ids are taken from the end of the pool, the lowest first.
     for (std::uint32_t i = count; i > 0; --i) {
         complex.ids.vertices.push_back(first_vertex + i - 1);
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The thesis's own way to divide a mesh: CreateSubmeshes and MergeSubmeshes, algorithms 6.1 and
-// 6.2, with the counting method of slabbing (thesis, sections 6.3 and 8.5). Each submesh is a
-// complex of its own that holds copies; S_i tells which of its vertices are shared with other
-// submeshes, so that merging neither compares coordinates nor searches. The slabs that run in place
+// Division of a mesh as in the thesis: CreateSubmeshes and MergeSubmeshes, algorithms 6.1 and 6.2,
+// with the counting method of slabbing (thesis, sections 6.3 and 8.5). Each submesh is a separate
+// complex that holds copies; S_i says which of its vertices are shared with other submeshes, so
+// that merging neither compares coordinates nor searches. The slabs that run in place
 // (dsc/parallel/partition/partition.h) need no copies.
 #pragma once
 
@@ -22,7 +22,7 @@ struct CountingDivision {
     std::uint32_t submeshes = 8; ///< n
     double normal_x = 1;         ///< direction along which the slabs follow each other; length 1
     double normal_y = 0;
-    RedBlack colour = RedBlack::red; ///< which of the two placings
+    RedBlack colour = RedBlack::red; ///< which of the two ways
 };
 
 /// Submesh i: the closure of its triangles. It has ids of its own; triangles at its boundary have
@@ -38,7 +38,7 @@ struct CopiedSubmesh {
     std::vector<std::uint32_t> merged_triangles; ///< the same for triangles
 
     /// What operations may change: simplices without vertices on the submesh boundary (thesis,
-    /// section 6.4). Invalid once vertices are added without its knowledge, as by `lend_ids`.
+    /// section 6.4). Invalid once vertices are added, as by `lend_ids`.
     [[nodiscard]] Region region() const {
         Region region;
         region.kind = Region::Kind::labels;
@@ -78,7 +78,7 @@ struct CopiedSubmeshes {
         double place;           ///< three times the coordinate of the barycentre
         std::uint32_t triangle; ///< its id
     };
-    /// Sorts the edges of submesh boundaries, so that both sides of one come together.
+    /// Sorts the edges of submesh boundaries, so that the two sides of an edge are adjacent.
     struct HalfEdge {
         std::uint64_t ends; ///< smaller vertex, larger vertex
         Corner corner;      ///< in the merged mesh
@@ -96,12 +96,12 @@ struct CopiedSubmeshes {
 
 /// CreateSubmeshes, algorithm 6.1. The triangles are ordered by their barycentres along the normal,
 /// ties by id, and cut into n equal shares, of which the first ones may have one triangle more; for
-/// black, the first half share and what is left at the end form one submesh, so that there are n
-/// again (thesis, section 8.5). Copies phases, positions, flags, and the data of all attributes
-/// into new ones. Vertices without triangles are in no closure and are not copied, as in the
-/// printed algorithm. Submeshes may be empty if there are few triangles. `mesh` is not changed. O(t
-/// log n) for the order, which is no finer than the shares need, and O(v + t) for everything else.
-/// Throws InputError if the division makes no sense, or if submeshes hold ids of the mesh.
+/// black, the first half share and the rest at the end form one submesh, so that there are n again
+/// (thesis, section 8.5). Copies phases, positions, flags, and the data of all attributes into new
+/// ones. Vertices without triangles are in no closure and are not copied, as in the printed
+/// algorithm. Submeshes may be empty if there are few triangles. `mesh` is not changed. O(t log n)
+/// for the order, which is only as fine as the shares need, and O(v + t) for everything else.
+/// Throws InputError if the division is out of range, or if submeshes hold ids of the mesh.
 template <class Real>
 void create_submeshes(const Complex<Real>& mesh, const CountingDivision& division,
                       CopiedSubmeshes<Real>& submeshes);
@@ -113,14 +113,14 @@ void lend_ids(CopiedSubmesh<Real>& submesh, std::size_t vertices);
 
 /// MergeSubmeshes, algorithm 6.2: copies what is alive in the submeshes into a new complex, shared
 /// vertices once, and replaces `mesh` by it (K <- K'). `mesh` must be the mesh that was divided,
-/// with the same attributes. Everything has new ids; none is free. The attributes are the same
+/// with the same attributes. All simplices have new ids; none is free. The attributes are the same
 /// objects with new entries, so that references to them stay valid; stamps are 0. O(v + t), and O(b
 /// log b) for the b edges of the submesh boundaries. If anything throws, `mesh` is unchanged;
 /// InvariantError if more than two triangles meet at a shared edge.
 template <class Real>
 void merge_submeshes(CopiedSubmeshes<Real>& submeshes, Complex<Real>& mesh);
 
-/// Throws InputError if a division makes no sense.
+/// Throws InputError if a division is out of range.
 void check_division(const CountingDivision& division);
 
 } // namespace dsc

@@ -24,7 +24,7 @@ void forget(Work<Real>& work) {
     work.active.clear();
     work.resized.clear();
     work.deferred.clear();
-    work.changed_interface.clear(); // nobody reads it here
+    work.changed_interface.clear(); // not used here
 }
 
 } // namespace
@@ -47,9 +47,8 @@ template <class Real>
 MoveReport CopyExecutor<Real>::move() {
     MoveReport report;
     report.held = this->begin_movement();
-    // Algorithm 6.3: the mesh is divided anew until nothing is deferred, except for what two
-    // colours cannot do. A vertex that is blocked although nothing is deferred has had all the room
-    // that there is.
+    // Algorithm 6.3: the mesh is divided again until nothing is deferred, except what neither
+    // colour can do. A vertex that is blocked although nothing is deferred stays blocked.
     const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
     Timer timer;
     if (is_left) {
@@ -62,13 +61,13 @@ MoveReport CopyExecutor<Real>::move() {
     return report;
 }
 
-// What is left to do is in `whole_` again, under the new ids.
+// Runs one colour. The remaining work is in `whole_` afterwards, under the new ids.
 template <class Real>
 bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     Timer timer;
     create_submeshes(complex_, {copy_.submeshes, copy_.normal_x, copy_.normal_y, colour},
                      submeshes_);
-    hand_out();
+    distribute_work();
     costs_.create_s += timer.lap();
     run_tasks();
     costs_.run_s += timer.lap();
@@ -77,7 +76,7 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
     if (whole_.log.readers > 0) {
         whole_.log.records.push_back({.kind = EditKind::rebuild});
     }
-    const bool is_deferred = take_back();
+    const bool is_deferred = collect_work();
     costs_.merge_s += timer.lap();
     ++costs_.rounds;
     for (const auto& task : tasks_) {
@@ -87,7 +86,7 @@ bool CopyExecutor<Real>::run_round(RedBlack colour, MoveReport& report) {
 }
 
 template <class Real>
-void CopyExecutor<Real>::hand_out() {
+void CopyExecutor<Real>::distribute_work() {
     while (tasks_.size() < submeshes_.list.size()) {
         tasks_.push_back(std::make_unique<Task>(submeshes_.list[tasks_.size()]->complex, options_));
     }
@@ -168,7 +167,7 @@ void CopyExecutor<Real>::run_tasks() {
 }
 
 template <class Real>
-bool CopyExecutor<Real>::take_back() {
+bool CopyExecutor<Real>::collect_work() {
     // In the merged complex all stamps are 0.
     whole_.moving_vertices.clear();
     whole_.active.clear();
@@ -188,17 +187,17 @@ bool CopyExecutor<Real>::take_back() {
         const Work<Real>& work = tasks_[i]->work;
         const auto& merged = submeshes_.list[i]->merged;
         // A vertex that is blocked here may find room once others have moved.
-        const auto take_moving_vertex = [&](const MovingVertex<Real>& moving_vertex) {
+        const auto add_moving_vertex = [&](const MovingVertex<Real>& moving_vertex) {
             whole_.moving_vertices.push_back(
                 {merged[moving_vertex.vertex], moving_vertex.x, moving_vertex.y});
         };
-        const auto take_star = [&](std::uint32_t v) {
+        const auto add_star = [&](std::uint32_t v) {
             if (merged[v] != no_id) {
                 whole_.activate(merged[v]);
             }
         };
-        std::ranges::for_each(work.moving_vertices, take_moving_vertex);
-        std::ranges::for_each(work.active, take_star);
+        std::ranges::for_each(work.moving_vertices, add_moving_vertex);
+        std::ranges::for_each(work.active, add_star);
         for (const std::uint32_t v : work.resized) {
             if (merged[v] != no_id) {
                 whole_.resized.push_back(merged[v]);
@@ -206,24 +205,24 @@ bool CopyExecutor<Real>::take_back() {
         }
         for (const Deferred<Real>& one : work.deferred.entries) {
             if (one.kind == DeferredKind::moving_vertex) {
-                take_moving_vertex(one.moving_vertex());
+                add_moving_vertex(one.moving_vertex());
                 is_deferred = true;
             } else if (one.kind == DeferredKind::star) {
-                take_star(one.vertex);
+                add_star(one.vertex);
                 is_deferred = true;
             }
         }
         is_as_given = is_as_given && work.interface == tasks_[i]->given;
     }
-    take_interface_back(is_as_given);
+    restore_interface(is_as_given);
     std::erase_if(whole_.moving_vertices,
                   [](const auto& moving_vertex) { return moving_vertex.vertex == no_id; });
     return is_deferred;
 }
 
-// The order of the list is kept, unless passes of an application rewrote it.
+// Keeps the order of the list, unless passes of an application rewrote it.
 template <class Real>
-void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
+void CopyExecutor<Real>::restore_interface(bool is_as_given) {
     if (!is_as_given) {
         whole_.interface = collect_moved(complex_, options_);
         return;
@@ -234,9 +233,9 @@ void CopyExecutor<Real>::take_interface_back(bool is_as_given) {
     std::erase(whole_.interface, no_id);
 }
 
-// Drops the vertices that were on the way, and looks for the interface again. The active vertices
-// are those of the complex as it is; stars that changed before the exception are looked at in the
-// next step. O(mesh).
+// After an exception: drops the moving vertices, and finds the interface again. Vertices that are
+// still alive stay active, so that stars that changed before the exception are visited in the next
+// step. O(mesh).
 template <class Real>
 void CopyExecutor<Real>::recover() {
     const std::vector<std::uint32_t> active = std::move(whole_.active);

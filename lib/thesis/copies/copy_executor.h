@@ -22,29 +22,29 @@ struct CopyOptions {
 
 /// Where the time went, since the beginning, in seconds of the calling thread.
 struct CopyCosts {
-    double create_s = 0;      ///< CreateSubmeshes, and distributing what there is to do
+    double create_s = 0;      ///< CreateSubmeshes, and distributing the work
     double run_s = 0;         ///< the submeshes, in parallel
     double merge_s = 0;       ///< MergeSubmeshes, and collecting what was deferred
-    double whole_s = 0;       ///< the run on the whole complex for what both colours left
+    double whole_s = 0;       ///< the run on the whole complex for what both colours deferred
     std::uint64_t steps = 0;  ///< that have been run
     std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
 };
 
 /// Runs the remeshing on the whole complex; the motion passes on red submeshes, then on black ones
-/// for what red deferred, then on the whole complex for what is left. Submeshes share neither locks
-/// nor memory while they run: any pass that keeps to `Work::submesh` may run in them, but it sees
-/// the ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
+/// for what red deferred, then on the whole complex for what both deferred. Submeshes share neither
+/// locks nor memory while they run: any pass that keeps to `Work::submesh` may run in them, but it
+/// finds the ids and the attributes of the submesh (`work.complex.attributes`), not of the mesh.
 ///
 /// The complex stays the same object, and so do its attributes. All ids change in `move`, as in the
 /// thesis: handles from before a step are invalid, and the application finds its simplices again by
-/// its attributes; vertices without triangles are lost. If a velocity or a pass throws, submeshes
-/// under way are dropped and the complex is that of the last merge. The result is the same to the
-/// bit for any number of threads; if several passes throw, the exception of the first submesh is
-/// passed on.
+/// its attributes; vertices without triangles are lost. If a velocity or a pass throws, the running
+/// submeshes are dropped and the complex is that of the last merge. The result is bitwise identical
+/// for any number of threads; if several passes throw, the exception of the first submesh is
+/// rethrown.
 template <class Real>
 class CopyExecutor final : public Executor<Real> {
 public:
-    /// Throws InputError if the options make no sense.
+    /// Throws InputError if an option is out of range.
     CopyExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                  const CopyOptions& copy);
 
@@ -53,30 +53,30 @@ public:
     /// and are not reported: each merge is one `rebuild`.
     MoveReport move() override;
     void end_step() override;
-    /// Submeshes are made anew in each step, so that there is nothing of them to keep.
+    /// Submeshes are created in each step, so that they are not archived.
     void archive(Archive& archive) override;
 
-    /// What it has cost so far.
+    /// The costs so far.
     [[nodiscard]] const CopyCosts& costs() const { return costs_; }
     /// The division of the last round.
     [[nodiscard]] const CopiedSubmeshes<Real>& submeshes() const { return submeshes_; }
 
 private:
-    /// What one submesh has to do.
+    /// The work of one submesh.
     struct Task {
         Task(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
         Work<Real> work;
-        std::vector<std::uint32_t> given; ///< `work.interface` as it was handed out
+        std::vector<std::uint32_t> given; ///< `work.interface` as it was distributed
         std::exception_ptr failure;
         std::uint32_t passes = 0;
     };
 
-    /// Whether submesh boundaries, or a lack of ids, kept anything from being done.
+    /// Returns whether anything was deferred, because of submesh boundaries or a lack of ids.
     [[nodiscard]] bool run_round(RedBlack colour, MoveReport& report);
-    void hand_out();
+    void distribute_work();
     void run_tasks();
-    [[nodiscard]] bool take_back();
-    void take_interface_back(bool is_as_given);
+    [[nodiscard]] bool collect_work();
+    void restore_interface(bool is_as_given);
     void recover();
 
     using Executor<Real>::complex_;
@@ -91,7 +91,7 @@ private:
     CopyOptions copy_;
     CopiedSubmeshes<Real> submeshes_;
     std::vector<std::unique_ptr<Task>> tasks_;
-    // What lies on submesh boundaries waits for the next round; by vertex of the mesh.
+    // Work on submesh boundaries, which waits for the next round; by vertex of the mesh.
     std::vector<MovingVertex<Real>> waiting_vertices_;
     std::vector<std::uint32_t> waiting_active_;
     CopyCosts costs_;

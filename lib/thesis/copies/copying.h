@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What creating and merging submeshes share.
+// Functions shared by creating and merging submeshes.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -21,7 +21,7 @@ inline AttributeSet without_entries(const AttributeSet& attributes) {
 }
 
 // Appends the entries order[i] of a set that has the same attributes; no_id: the initial value.
-// `count_entries` is to be called when all are there.
+// Call `count_entries` after the last one.
 inline void append(AttributeSet& to, SimplexKind kind, const AttributeSet& from,
                    const std::vector<std::uint32_t>& order) {
     for (std::size_t i = 0; i < to.list().size(); ++i) {

@@ -53,8 +53,8 @@ void merge_vertices(CopiedSubmeshes<Real>& submeshes, CopiedSubmesh<Real>& subme
     copying::append(fresh.attributes, SimplexKind::vertex, complex.attributes, submeshes.order);
 }
 
-// The border in a submesh is either that of the domain, or stands for another submesh: then both
-// ends are shared, and another triangle will be added with them.
+// An edge at the border of a submesh lies on the domain boundary, or another submesh is beyond it:
+// then both ends are shared, and a second triangle with them follows.
 template <class Real>
 void note_seam(CopiedSubmeshes<Real>& submeshes, const CopiedSubmesh<Real>& submesh, Corner corner,
                Corner merged) {

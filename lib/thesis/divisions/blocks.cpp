@@ -47,7 +47,7 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
         partition.colours.front().regions.emplace_back();
         return;
     }
-    // Only around the interface: there is nothing to do elsewhere.
+    // Only around the interface: there is no work elsewhere.
     std::array<double, 2> low{Region::infinity, Region::infinity};
     std::array<double, 2> high{-Region::infinity, -Region::infinity};
     for (const std::uint32_t v : input.interface) {

@@ -19,7 +19,7 @@ struct BlockOptions {
 template <class Real>
 class BlockPartitioner final : public Partitioner<Real> {
 public:
-    /// Throws InputError if the options make no sense.
+    /// Throws InputError if an option is out of range.
     explicit BlockPartitioner(const BlockOptions& options);
     /// All colours every `recut` steps.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Submeshes by a function of the place: of the application, or Voronoi regions (thesis, section 6).
-// It divides the plane, not the vertices, so that it stays valid while vertices are created,
-// deleted and moved.
+// Submeshes by a function of the place: one of the application, or Voronoi regions (thesis, section
+// 6). The function divides the plane, not the vertices, so that it stays valid while vertices are
+// created, deleted and moved.
 #pragma once
 
 #include "dsc/parallel/partition/partition.h"

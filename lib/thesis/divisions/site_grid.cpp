@@ -37,7 +37,7 @@ SiteGrid::SiteGrid(std::vector<Point<double>> sites) : sites_(std::move(sites)) 
     // Sites along a line get a row of cells, not a square in which all but the diagonal is empty.
     const double width =
         std::max(std::sqrt(extent.x()) * std::sqrt(extent.y() / count), extent.maxCoeff() / count);
-    // Not if there is no extent, or one that is too large or small to divide by.
+    // A single cell if the extent is zero, or too large or too small to divide by.
     if (width > std::numeric_limits<double>::min() && std::isfinite(extent.sum())) {
         low_ = low;
         width_ = width;
@@ -72,8 +72,8 @@ std::size_t SiteGrid::cell_of(const Point<double>& site) const {
                                     within(site.x() - low_.x(), columns_));
 }
 
-void SiteGrid::look_into(std::int64_t column, std::int64_t row, const Point<double>& from,
-                         Best& best) const {
+void SiteGrid::search_cell(std::int64_t column, std::int64_t row, const Point<double>& from,
+                           Best& best) const {
     const auto cell = static_cast<std::size_t>(row * columns_ + column);
     for (std::uint32_t k = first_[cell]; k < first_[cell + 1]; ++k) {
         const std::uint32_t site = members_[k];
@@ -84,8 +84,8 @@ void SiteGrid::look_into(std::int64_t column, std::int64_t row, const Point<doub
     }
 }
 
-// The least distance from a place to anything in the cells not yet seen, in cells; squared.
-// Infinite if all cells have been seen.
+// The smallest squared distance from a place to anything in the cells not yet searched; the place
+// is in units of cells. Infinite if all cells have been seen.
 double SiteGrid::squared_way_out(const Block& seen, double column, double row) const {
     const auto columns = static_cast<double>(columns_);
     const auto rows = static_cast<double>(rows_);
@@ -94,7 +94,7 @@ double SiteGrid::squared_way_out(const Block& seen, double column, double row) c
         const double length = std::max(cells - slack, 0.0) * width_;
         return length * length;
     };
-    // From outside, the distance to the grid is added in any case.
+    // For a place outside the grid, the distance to the grid is added.
     const double beside_grid = square(std::max(-column, column - columns));
     const double above_grid = square(std::max(-row, row - rows));
     double least = infinitely_far;
@@ -130,8 +130,8 @@ std::uint32_t SiteGrid::nearest(double x, double y) const {
     const std::int64_t i = cell(column, columns_);
     const std::int64_t j = cell(row, rows_);
     Block seen{i, i, j, j};
-    look_into(i, j, from, best);
-    // Frames of cells around it, until nothing nearer can lie outside.
+    search_cell(i, j, from, best);
+    // Searches frames of cells around it, until nothing nearer can lie outside.
     for (std::int64_t r = 1; !(squared_way_out(seen, column, row) > best.squared); ++r) {
         const Block before = seen;
         seen = {std::max<std::int64_t>(i - r, 0), std::min(i + r, columns_ - 1),
@@ -143,9 +143,9 @@ std::uint32_t SiteGrid::nearest(double x, double y) const {
         for (std::int64_t b = seen.bottom; b <= seen.top; ++b) {
             for (std::int64_t a = seen.left; a <= seen.right; ++a) {
                 if (b >= before.bottom && b <= before.top && a == before.left) {
-                    a = before.right; // skip what was seen already
+                    a = before.right; // skip the cells searched already
                 } else {
-                    look_into(a, b, from, best);
+                    search_cell(a, b, from, best);
                 }
             }
         }

@@ -17,9 +17,9 @@ public:
     explicit SiteGrid(std::vector<Point<double>> sites);
 
     /// The number of the point nearest to (x, y) by the distance as computed in floating point, the
-    /// lower number in a tie: exactly what a search through all points finds. 0 if no distance is
-    /// finite. O(1) expected if the points are spread evenly and (x, y) lies among them, O(points)
-    /// at worst.
+    /// lower number in a tie: exactly the result of a search through all points. 0 if no distance
+    /// is finite. O(1) expected if the points are spread evenly and (x, y) lies among them,
+    /// O(points) at worst.
     [[nodiscard]] std::uint32_t nearest(double x, double y) const;
 
     [[nodiscard]] const std::vector<Point<double>>& sites() const { return sites_; }
@@ -34,8 +34,8 @@ private:
     };
 
     [[nodiscard]] std::size_t cell_of(const Point<double>& site) const;
-    void look_into(std::int64_t column, std::int64_t row, const Point<double>& from,
-                   Best& best) const;
+    void search_cell(std::int64_t column, std::int64_t row, const Point<double>& from,
+                     Best& best) const;
     [[nodiscard]] double squared_way_out(const Block& seen, double column, double row) const;
 
     std::vector<Point<double>> sites_;

@@ -20,7 +20,7 @@ double along(const Point<double>& normal, const VertexRecord<Real>& record) {
     return normal.x() * static_cast<double>(record.x) + normal.y() * static_cast<double>(record.y);
 }
 
-// The corners of the convex hull of the living vertices (Andrew's monotone chain): along whatever
+// The corners of the convex hull of the living vertices (Andrew's monotone chain): in any
 // direction, one of them is the farthest. O(n log n).
 template <class Real>
 std::vector<Point<double>> hull_corners(const Complex<Real>& complex) {
@@ -138,7 +138,7 @@ Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_
     region.kind = Region::Kind::box;
     region.normal_x = normal_x;
     region.normal_y = normal_y;
-    // Two slabs that form one submesh are the whole mesh; nothing is gained by that.
+    // Two slabs that form one submesh would be the whole mesh: no gain.
     const bool joins = round && count > 2;
     for (std::size_t i = 0; i < (joins ? count - 1 : count); ++i) {
         region.low = joins && i == 0 ? cuts[count - 1] : cuts[i];
@@ -191,8 +191,8 @@ Recut SlabPartitioner<Real>::is_due(const PartitionStatus& status) const {
     return status.steps_since_all >= options_.recut ? Recut::all : Recut::none;
 }
 
-// How far the mesh reaches along the normal. The mesh is looked through once, for its domain does
-// not change.
+// Finds the extent of the mesh along the normal. The mesh is searched only once, because its domain
+// does not change.
 template <class Real>
 void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Point<double>& normal) {
     if (normal == extent_of_) {
@@ -201,7 +201,7 @@ void SlabPartitioner<Real>::find_extent(const Complex<Real>& complex, const Poin
     extent_of_ = normal;
     low_ = Region::infinity;
     high_ = -Region::infinity;
-    if (options_.follow_shape) { // along another direction each time
+    if (options_.follow_shape) { // the direction changes each time
         if (corners_.empty()) {
             corners_ = hull_corners(complex);
         }

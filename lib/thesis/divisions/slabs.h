@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The slabbing method (thesis, sections 6.3 and 8.5) in place: a slab is an interval of positions
-// along a direction; nothing is copied. First red slabs, then black ones shifted by half a slab, of
-// which the first and the last form one submesh.
+// along a direction; nothing is copied. Red slabs run first, then black ones shifted by half a
+// slab; the first and the last black slab form one submesh.
 #pragma once
 
 #include "dsc/parallel/parallel.h"
@@ -16,18 +16,18 @@ namespace dsc {
 enum class Slabbing : std::uint8_t {
     fixed,    ///< equal widths (thesis, section 6.3)
     counting, ///< equal numbers of triangles (the same section), sampled in a large mesh
-    active,   ///< equal shares of the work that was done
+    active,   ///< equal shares of the work in the last steps
 };
 
 /// How slabs are cut.
 struct SlabOptions {
-    Slabbing slabbing = Slabbing::counting; ///< by what the cuts are chosen
+    Slabbing slabbing = Slabbing::counting; ///< how the cuts are chosen
     std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
     /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
     /// the direction in which the interface extends farthest.
     double degrees = 0;
-    bool follow_shape = false; ///< cuts across the direction of the shape, in place of `degrees`
-    /// In edge lengths. Thinner slabs would be locked completely, so there are fewer slabs instead.
+    bool follow_shape = false; ///< cuts across the direction of the shape instead of `degrees`
+    /// In edge lengths. Thinner slabs would be locked completely; fewer slabs are used instead.
     double min_width = 8;
     std::uint32_t recut = 64; ///< steps between two choices of the cuts
 };
@@ -54,7 +54,7 @@ Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_
 template <class Real>
 class SlabPartitioner final : public Partitioner<Real> {
 public:
-    /// Throws InputError if the options make no sense.
+    /// Throws InputError if an option is out of range.
     explicit SlabPartitioner(const SlabOptions& options);
     /// Both colours every `recut` steps.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;
@@ -71,11 +71,11 @@ private:
     std::vector<Point<double>> corners_; // of the domain's hull; of `follow_shape` alone
 };
 
-/// Upright slabs of equal width: `Parallel{.division = &fixed_division}`.
+/// Vertical slabs of equal width: `Parallel{.division = &fixed_division}`.
 extern const Division fixed_division;
-/// Upright slabs of equal numbers of triangles.
+/// Vertical slabs of equal numbers of triangles.
 extern const Division counting_division;
-/// Upright slabs of equal work.
+/// Vertical slabs of equal work.
 extern const Division active_division;
 
 } // namespace dsc

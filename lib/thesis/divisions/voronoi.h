@@ -12,7 +12,7 @@ namespace dsc {
 /// nearest point, the lower number in a tie. O(1) expected per look-up.
 PlaceColour voronoi_colour(std::vector<Point<double>> sites);
 
-/// The same for sites that are chosen by the interface: k-means of its vertices (Lloyd's algorithm,
+/// The same for sites that follow the interface: k-means of its vertices (Lloyd's algorithm,
 /// `rounds` times, from vertices evenly spread along the list). These are the "springs" of the
 /// thesis, section 6, which even out the submeshes. The second colour's sites lie in the middle
 /// between neighbouring sites of the first.

@@ -17,7 +17,7 @@ bool is_ear(std::span<const Point<Real>> polygon, const std::vector<std::uint32_
         return false;
     }
     for (std::uint32_t i = next[after]; i != before; i = next[i]) {
-        // First look beyond the diagonal, where most of the polygon lies.
+        // Test beyond the diagonal first, where most of the polygon lies.
         const Point<Real>& p = polygon[i];
         if (orientation<Real>(c, a, p) >= 0 && orientation<Real>(a, b, p) >= 0 &&
             orientation<Real>(b, c, p) >= 0) {

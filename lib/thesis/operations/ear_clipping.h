@@ -12,8 +12,8 @@
 
 namespace dsc {
 
-/// The result and the scratch of ear clipping. Reuse one object, and calls stop allocating once it
-/// has grown.
+/// The result and the scratch of ear clipping. Reuse one object: calls stop allocating once it has
+/// grown.
 struct EarClipping {
     /// Indices into the polygon, counter-clockwise, in the order of cutting: the ear in the middle,
     /// between its neighbours at that moment. The last one is the triangle that remained.

@@ -90,8 +90,8 @@ bool find_polygon(const Complex<Real>& complex, RetriangulationPlan<Real>& plan)
     }
     const auto by_from = [](const PolygonEdge& a, const PolygonEdge& b) { return a.from < b.from; };
     std::sort(found.begin(), found.end(), by_from);
-    // If several half-edges leave a vertex, this takes the first, and the loop closes with some
-    // left over.
+    // If several half-edges leave a vertex, this takes the first, and the loop closes without the
+    // others.
     auto& polygon = plan.polygon;
     polygon.assign(1, found.front());
     while (polygon.back().to != found.front().from) {
@@ -147,7 +147,7 @@ Verdict make_plan(const Complex<Real>& complex, const Region& region, Triangle t
 }
 
 // Edge data of the domain boundary are stored in the very triangles that are rewritten, so one
-// entry may have to make room for another: they are exchanged through the unused fourth entry of a
+// entry may have to make room for another: they are swapped through the unused fourth entry of a
 // triangle.
 template <class Real>
 void move_edge_data(Complex<Real>& complex, std::vector<std::array<Corner, 2>>& moves,

@@ -87,8 +87,8 @@ LoopSubdivisionResult detail::loop_subdivision(const Submesh<Real>& submesh, Tri
         result.vertices[i] = added;
         return t2;
     };
-    // Three splits and a flip; only the geometry of the final state was tested. See rewire.h for
-    // which corner a new vertex takes.
+    // Three splits and a flip; only the geometry of the final state was tested. rewire.h says which
+    // corner a new vertex takes.
     const std::uint32_t t = triangle.id;
     const std::uint32_t r = split(corner_of(t, 0), 0);    // t = (A, B, a), r = (A, a, C)
     split(corner_of(r, 1), 1);                            // r = (b, a, C), and (a, b, A)

@@ -13,8 +13,8 @@ namespace dsc {
 
 namespace {
 
-// By ear clipping alone: the flips after it have records of their own. Locks are no edits, so the
-// log does not say that a vertex was unlocked before it vanished.
+// By ear clipping alone: flips after it have their own records. Locks are not edits, so the log
+// does not record that a vertex was unlocked before it vanished.
 template <class Real>
 bool retriangulate(const Submesh<Real>& submesh, Triangle t) {
     Complex<Real>& complex = submesh.complex;
@@ -52,7 +52,7 @@ bool repeat_edit(const Submesh<Real>& submesh, const Edit& edit) {
         try {
             insert_triangle(complex, v[0], v[1], v[2], edit.made[0]);
         } catch (const InputError&) {
-            return false; // there is no room for it without the records that were left out
+            return false; // skipped records leave no room for it
         }
         return true;
     case EditKind::remove_triangle:

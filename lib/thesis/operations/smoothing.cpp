@@ -20,7 +20,7 @@ namespace dsc {
 
 namespace {
 
-// The tests common to every smoothing; `fan` is filled in if the vertex is in the submesh.
+// The tests common to every smoothing; `summary` is filled in if the vertex is in the submesh.
 template <class Real>
 Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex vertex,
                    StarSummary& summary) {
@@ -41,8 +41,8 @@ Verdict check_star(const Complex<Real>& complex, const Region& region, Vertex ve
 template <class Real>
 Verdict move_if_better(const Submesh<Real>& submesh, Vertex vertex, const Point<Real>& target) {
     Complex<Real>& complex = submesh.complex;
-    // A vertex must not walk out of its submesh while others run. If its neighbours are owned and
-    // regions are convex, it cannot, except by rounding.
+    // A vertex must not leave its submesh while others run. If its neighbours are owned and regions
+    // are convex, it cannot, except by rounding.
     if (!submesh.region.owns(vertex.id, static_cast<double>(target.x()),
                              static_cast<double>(target.y()))) {
         return Verdict::on_submesh_boundary;
@@ -158,13 +158,13 @@ Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
                                     const InterfaceSmoothingOptions& options) {
     const Complex<Real>& complex = submesh.complex;
     if (!(options.feature_degrees >= 0 && options.feature_degrees <= 180)) {
-        throw InputError({.what = "feature_degrees",
+        throw InputError({.what = "feature_degrees out of range",
                           .where = "interface_smoothing",
                           .value = to_text(options.feature_degrees),
                           .allowed = "0 to 180 degrees"});
     }
     if (!(options.step >= 0 && options.step <= 1)) {
-        throw InputError({.what = "step",
+        throw InputError({.what = "step out of range",
                           .where = "interface_smoothing",
                           .value = to_text(options.step),
                           .allowed = "0 to 1"});
@@ -198,7 +198,7 @@ Verdict detail::interface_smoothing(const Submesh<Real>& submesh, Vertex vertex,
     if (far - near <= equal_lengths<Real> * (near + far)) {
         return Verdict::no_gain;
     }
-    // The vertex moves towards the farther neighbour, so the curve is drawn between the two.
+    // The vertex moves towards the farther neighbour, so the curve is interpolated between the two.
     std::array<Point<Real>, 4> points{position(ends[0]), here, position(ends[1]), here};
     std::array<Real, 4> knots{-near, 0, far, 0};
     std::size_t size = 3;

@@ -11,8 +11,8 @@ namespace dsc {
 
 /// How an interface vertex slides.
 struct InterfaceSmoothingOptions {
-    /// Degrees. If the interface turns by more, the vertex is a corner: it stays, and no curve is
-    /// drawn through it.
+    /// Degrees. If the interface turns by more, the vertex is a feature: it stays, and no curve is
+    /// interpolated through it.
     double feature_degrees = 30;
     /// Share of the distance to the point of equal lengths, measured along the curve; 0 to 1.
     double step = 1;
@@ -36,9 +36,9 @@ Verdict laplacian_smoothing(Editable auto&& where, Vertex vertex) {
 /// Slides a vertex with exactly two interface edges along the interface, towards the point where
 /// the two are equally long. It moves on the Lagrange polynomial, parameterised by chord length,
 /// through the vertex, its two interface neighbours and the one beyond the farther of them (three
-/// points where the curve ends, branches, has a corner or leaves the submesh there), so that a
+/// points where the curve ends, branches, has a feature or leaves the submesh there), so that a
 /// smooth shape changes by O(h^4) (O(h^3)). Accepted only if no star triangle inverts and the
-/// smallest quality of the star rises. Answers on_interface at junctions, at corners and away from
+/// smallest quality of the star rises. Answers on_interface at junctions, at features and away from
 /// the interface. O(degree), no allocation. Thread-safe for disjoint submeshes. Throws InputError
 /// if an option is out of range.
 Verdict interface_smoothing(Editable auto&& where, Vertex vertex,

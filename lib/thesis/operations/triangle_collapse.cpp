@@ -77,8 +77,8 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // Those named must stay where they are. False if that is impossible together with the place
-    // that was asked for and the vertices that were pinned before.
+    // Pins the named vertices, which must stay where they are. False if that contradicts the place
+    // asked for, or vertices pinned before.
     bool pin(const Three& named) {
         for (std::uint32_t i = 0; i < 3; ++i) {
             if (!named[i]) {
@@ -119,8 +119,8 @@ private:
 
     // Beside the third vertex, the ends of an edge of the triangle may have one neighbour in
     // common: the apex beyond that edge. There is one exception: if the third vertex lies inside
-    // and has degree three, all three are joined to the apex that it vanishes under. With any other
-    // common neighbour, two edges would become one that have something between them. That is the
+    // and has degree three, all three are joined to the apex beyond. With any other common
+    // neighbour, two edges would become one although other simplices lie between them. That is the
     // link condition of T. K. Dey et al., "Topology preserving edge contraction" (1999), for both
     // edge collapses. At most one of the three vertices is on the domain boundary here, so that
     // there is an apex beyond each edge.
@@ -216,7 +216,7 @@ TriangleCollapseResult detail::triangle_collapse(const Submesh<Real>& submesh, T
     // The edges from the heir to the vertices at next and prev, as corners outside the triangle.
     Corner to_next = complex.twin(prev(at_heir));
     Corner to_prev = complex.twin(next(at_heir));
-    // A vertex of degree three goes first. Left until the second collapse it would have only two
+    // A vertex of degree three is collapsed first. At the second collapse it would have only two
     // triangles, both with the same three vertices, and an edge of the heir would lose its data.
     if (complex.vertex(to_prev) == complex.vertex(complex.twin(at_heir))) {
         std::swap(to_next, to_prev);

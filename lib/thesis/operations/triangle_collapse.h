@@ -19,10 +19,10 @@ enum class InterfaceRule : std::uint8_t {
 /// Where a triangle collapses to, and what this may change.
 template <class Real>
 struct TriangleCollapseOptions {
-    /// Where the three vertices become one, in units of the domain. By default where the one vertex
-    /// is that may not move: on the domain boundary, on an interface that is kept, or locked.
-    /// Without such a vertex, where the only one on the interface is, or the only corner of the
-    /// interface; otherwise the centroid.
+    /// Where the three vertices become one, in units of the domain. By default the place of the
+    /// vertex that may not move: on the domain boundary, on an interface that is kept, or locked.
+    /// Without such a vertex, the place of the only one on the interface, or of the only feature;
+    /// otherwise the centroid.
     std::optional<Point<Real>> place = {};
     InterfaceRule interface = InterfaceRule::keep; ///< whether phases may change
 };
@@ -41,7 +41,7 @@ Verdict triangle_collapse_guard(const Complex<Real>& complex, Triangle triangle,
 /// What a triangle collapse did.
 struct TriangleCollapseResult {
     Verdict verdict = Verdict::legal; ///< `legal`, or what stopped it
-    Vertex vertex;                    ///< the one that is left, if legal
+    Vertex vertex;                    ///< the one that remains, if legal
 };
 
 namespace detail {
@@ -51,10 +51,10 @@ TriangleCollapseResult triangle_collapse(const Submesh<Real>& submesh, Triangle 
 } // namespace detail
 
 /// Collapses the triangle if that is legal: two edge collapses, as the thesis suggests, and a
-/// movement, and so they are counted and logged. The vertex that may not move remains; where all
-/// may, the only one on the interface, the only corner of the interface, or the one with the
-/// smallest id. It keeps its attributes; data of edges and triangles follow as in edge collapses.
-/// Never needs a free id. Thread-safe for disjoint submeshes.
+/// movement, which are counted and logged as such. The vertex that may not move remains; if all may
+/// move, the only one on the interface, the only feature, or the one with the smallest id. It keeps
+/// its attributes; data of edges and triangles follow as in edge collapses. Never needs a free id.
+/// Thread-safe for disjoint submeshes.
 template <Editable Where>
 TriangleCollapseResult
 triangle_collapse(Where&& where, Triangle triangle,

@@ -59,7 +59,7 @@ struct StarRule {
         for_each_corner(complex, v, [&](Corner c) {
             out.triangles.push_back(Triangle{triangle_of(c)});
             // The edge where this triangle begins, counter-clockwise; at the last triangle of an
-            // open fan, also the edge where it ends.
+            // open star, also the edge where it ends.
             out.edges.push_back(complex.edge(prev(c)));
             if (is_border(complex.twin(next(c)))) {
                 out.edges.push_back(complex.edge(next(c)));

@@ -56,7 +56,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] SimplexSet closure(const Complex<Real>& complex, const SimplexSet& set);
 
-/// closure(star(s)) \ star(closure(s)) (thesis, figure 3.7): around a vertex the ring of vertices
+/// closure(star(s)) \ star(closure(s)) (thesis, figure 3.7): around a vertex the cycle of vertices
 /// and edges, of an edge the one or two vertices opposite to it, of a triangle nothing (its star is
 /// itself). O(d log d) for a vertex, O(1) otherwise.
 template <class Real>

@@ -52,7 +52,7 @@ std::array<Corner, 3> find_neighbours(const Complex<Real>& complex,
                 if (other_from == from && other_to == to) {
                     const bool full = !is_border(complex.triangles[t].n[k]);
                     refuse_triangle(full ? "an edge has two triangles already"
-                                         : "the triangle overlaps the one that its edge has",
+                                         : "the triangle overlaps the one at its edge",
                                     v, "edges that are free on the side of the new triangle");
                 }
                 if (other_from == to && other_to == from) {
@@ -78,7 +78,7 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p) {
     }
     const std::uint32_t id = complex.take_vertex(complex.ids);
     if (id == no_id) {
-        throw InputError({.what = "no id is left",
+        throw InputError({.what = "no free id",
                           .where = "insert_vertex",
                           .value = "an empty pool that may not grow",
                           .allowed = "a pool with free ids, or one that may grow"});
@@ -101,7 +101,7 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
     std::array<std::uint32_t, 3> v{a.id, b.id, c.id};
     for (const std::uint32_t id : v) {
         if (!complex.is_alive(Vertex{id})) {
-            refuse_triangle("a vertex does not live in the complex", v, "living vertices");
+            refuse_triangle("a vertex is not alive", v, "living vertices");
         }
     }
     if (a == b || b == c || c == a) {
@@ -124,7 +124,7 @@ Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, P
     const std::array<Corner, 3> neighbours = find_neighbours(complex, v);
     const std::uint32_t id = complex.take_triangle(complex.ids);
     if (id == no_id) {
-        throw InputError({.what = "no id is left",
+        throw InputError({.what = "no free id",
                           .where = "insert_triangle",
                           .value = "an empty pool that may not grow",
                           .allowed = "a pool with free ids, or one that may grow"});

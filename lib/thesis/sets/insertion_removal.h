@@ -14,7 +14,7 @@
 namespace dsc {
 
 /// Inserts a vertex without triangles. Attributes take their initial values. O(1) amortised. Throws
-/// InputError if a coordinate is not finite or no id is left.
+/// InputError if a coordinate is not finite or no id is free.
 template <class Real>
 Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p);
 
@@ -24,7 +24,7 @@ Vertex insert_vertex(Complex<Real>& complex, const Point<Real>& p);
 /// neighbours are searched for among all triangles: to build a whole mesh use `make_complex`.
 /// Throws InputError if a vertex is dead or named twice, the area is zero, the phase is reserved,
 /// an edge has two triangles already, the triangle would overlap the one already at its edge, or no
-/// id is left; the complex is then unchanged.
+/// id is free; the complex is then unchanged.
 template <class Real>
 Triangle insert_triangle(Complex<Real>& complex, Vertex a, Vertex b, Vertex c, Phase phase);
 

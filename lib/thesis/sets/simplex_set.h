@@ -27,12 +27,13 @@ public:
     [[nodiscard]] const std::vector<Edge>& edges() const& { return edges_; }
     /// Ascending by id.
     [[nodiscard]] const std::vector<Triangle>& triangles() const& { return triangles_; }
-    // A temporary gives away its arrays, so that `for (Vertex v : link(k, w).vertices())` is sound.
-    /// Gives the array away.
+    // A temporary returns its arrays by value, so that `for (Vertex v: link(k, w).vertices())` is
+    // sound.
+    /// Moves the array out.
     [[nodiscard]] std::vector<Vertex> vertices() && { return std::move(vertices_); }
-    /// Gives the array away.
+    /// Moves the array out.
     [[nodiscard]] std::vector<Edge> edges() && { return std::move(edges_); }
-    /// Gives the array away.
+    /// Moves the array out.
     [[nodiscard]] std::vector<Triangle> triangles() && { return std::move(triangles_); }
 
     /// The number of simplices of all dimensions, |Sigma|. O(1).
@@ -49,8 +50,8 @@ public:
     /// True if every simplex of `other` is in this set. O(n + m).
     [[nodiscard]] bool contains(const SimplexSet& other) const;
 
-    /// Inserts one simplex; returns whether it was new. O(n), O(log n) at the end. To build a large
-    /// set, collect arrays and use the constructor.
+    /// Inserts one simplex; returns whether it was new. O(n); O(log n) if it comes last. To build a
+    /// large set, collect arrays and use the constructor.
     bool insert(Vertex v);
     bool insert(Edge e);
     bool insert(Triangle t);

@@ -27,7 +27,7 @@ public:
 
     void run() {
         find_sectors(complex_, v_, sectors_);
-        // Each time one sector less.
+        // Each round removes one sector.
         for (std::size_t left = sectors_.size();
              left > 0 && sectors_.size() > sectors_.stable() && leave_one(); --left) {
             find_sectors(complex_, v_, sectors_);
@@ -57,7 +57,8 @@ private:
         return sectors_.is_at_corner && sectors_.size() == 2;
     }
 
-    // The sector from which the energy gains the most; if there is no room in it, the next one.
+    // Removes the sector whose loss lowers the energy the most; if there is no room in it, the next
+    // one.
     bool leave_one() {
         const std::size_t n = sectors_.size();
         gains_.resize(n);
@@ -81,7 +82,7 @@ private:
         return false;
     }
 
-    // The same sectors in the same order; some of their triangles are others now.
+    // Finds the same sectors again, in the same order, after edits of their triangles.
     void find_again() {
         const Point<Real> ray = sectors_[0].ray;
         find_sectors(complex_, v_, sectors_);
@@ -104,8 +105,8 @@ private:
                    : never;
     }
 
-    // Opposite ones of four go together. So do the two beside the domain boundary if there are
-    // three: they and their mirror images are four.
+    // Of four sectors, opposite ones leave together. So do the two beside the domain boundary if
+    // there are three, which are four with their mirror images.
     [[nodiscard]] std::size_t partner(std::size_t k) const {
         const std::size_t n = sectors_.size();
         if (sectors_.is_on_boundary) {

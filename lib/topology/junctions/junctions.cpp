@@ -16,10 +16,11 @@ namespace {
 
 /// Two junctions closer than this times the edge length may exchange their neighbours.
 constexpr double exchange_length = 0.15;
-/// A bound for what never comes to rest; two or three are enough.
+/// Bounds the rounds if splits never end; two or three rounds are normally enough.
 constexpr int max_rounds = 8;
 
-// By their places, which are the same for every way to divide the mesh; each once.
+// Sorts vertices by position, which does not depend on the division of the mesh, and removes
+// duplicates.
 template <class Real>
 std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Vertex> vertices) {
     std::vector<std::tuple<Real, Real, std::uint32_t>> found;
@@ -85,8 +86,8 @@ private:
         return true;
     }
 
-    // If the two do not become one, vertices may have been removed to make room for nothing: then
-    // the sectors at v are found again, in the same order.
+    // If the merge fails, vertices may still have been removed to make room: then the sectors at v
+    // are found again, in the same order.
     Vertex merge_ends_of_here(Vertex v, Vertex w, bool either) {
         const std::uint32_t size = complex_.triangle_count();
         const Vertex left = merge_ends(work_, v, w, either);
@@ -153,10 +154,10 @@ private:
         return energy_inwards(work_, before.phase, sector.phase, after.phase, angle);
     }
 
-    // --- at the domain boundary
-    // -------------------------------------------------------------------------- The edge of ray i
-    // leads to the domain boundary, where the sectors on its two sides are; the third one is to
-    // reach the domain boundary between them.
+    // --- at the domain boundary --------------------------------------------------------------
+
+    // The edge of ray i leads to the domain boundary, where the sectors on its two sides are; the
+    // third one is to reach the domain boundary between them.
     bool wants_to_boundary(std::size_t i) const {
         const Sector<Real>& first = here_[i];
         const Sector<Real>& last = here_.before(i);
@@ -176,8 +177,8 @@ private:
         return energy_along_boundary(work_, sector.phase, neighbour.phase, angle);
     }
 
-    // To both sides of the domain boundary: another end of a curve, or a corner. A vertex of
-    // neither kind is in the way and vanishes.
+    // Tries both directions along the domain boundary: to another end of a curve, or to a corner. A
+    // vertex of neither kind blocks the way and is removed.
     void flip_on_boundary(Vertex v) {
         for (const bool is_first : {true, false}) {
             const Corner at = is_first ? here_[0].first : last_corner(here_[1]);
@@ -216,8 +217,8 @@ private:
         return c;
     }
 
-    // `one` comes first on the domain boundary, counter-clockwise: between its second sector and
-    // the first one of `other` is the one that is to leave the domain boundary.
+    // `one` comes first on the domain boundary, counter-clockwise: its second sector and the first
+    // one of `other` are the same, the one that would leave the domain boundary.
     bool wants_off_boundary(const Sectors<Real>& one, const Sectors<Real>& other) const {
         const Sector<Real>& before = one[0];
         const Sector<Real>& between = other[0];
@@ -247,9 +248,9 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
     Junctions<Real>(work).run(candidates);
 }
 
-// What comes apart touches other vertices, which may have to come apart as well.
+// A split touches other vertices, which may have to be split as well.
 template <class Real>
-void take_touched_apart(TopologyWork<Real>& work) {
+void split_touched(TopologyWork<Real>& work) {
     for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {
         std::vector<Vertex> touched;
         for (const Vertex v : std::exchange(work.touched, {})) {
@@ -265,7 +266,7 @@ void take_touched_apart(TopologyWork<Real>& work) {
 
 template void change_junctions(TopologyWork<double>&, std::span<const Candidate>);
 template void change_junctions(TopologyWork<float>&, std::span<const Candidate>);
-template void take_touched_apart(TopologyWork<double>&);
-template void take_touched_apart(TopologyWork<float>&);
+template void split_touched(TopologyWork<double>&);
+template void split_touched(TopologyWork<float>&);
 
 } // namespace dsc

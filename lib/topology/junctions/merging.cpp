@@ -12,9 +12,9 @@ namespace dsc {
 
 namespace {
 
-/// Below this quality, squared, a triangle has no height to speak of.
+/// Squared quality below which a triangle counts as flat.
 constexpr double poor_squared = 0.0025;
-/// Vertices that are removed to make room.
+/// The largest number of vertices removed to make room.
 constexpr int max_removed = 6;
 
 template <class Real>
@@ -84,8 +84,8 @@ private:
     }
 
     // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
-    // triangle, or a neighbour of both ends. Where the edge cannot be collapsed yet, even if that
-    // leaves poor triangles.
+    // triangle, or a neighbour of both ends. If the edge cannot be collapsed yet, also at the price
+    // of poor triangles.
     bool make_room(bool either, Real quality_so_far) {
         const Real least = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
         for (const bool is_first : {true, false}) {

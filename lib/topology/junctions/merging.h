@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Two junctions become one, along the short edge between them.
+// Merges two junctions along the short edge between them.
 #pragma once
 
 #include "topology/region.h"
 
 namespace dsc {
 
-/// Collapses the edge between two vertices and returns the one that is left, at its place: `w`, or
+/// Collapses the edge between two vertices and returns the one that survives, at its place: `w`, or
 /// also `v` if `either`, whichever leaves the better triangles. Vertices inside a phase that would
-/// leave triangles without a height are removed first. Returns no vertex if the triangles about the
-/// edge are in the way. O(degree), a few times.
+/// leave flat triangles are removed first. Returns no vertex if the triangles about the edge
+/// prevent the collapse. O(degree), a few times.
 template <class Real>
 [[nodiscard]] Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Room for a junction that leaves its vertex: a new vertex near by, inside a sector or on the
-// domain boundary beside it, in which all edges of the sector end that ended at the old vertex. As
-// near as it must be, so that all triangles stay positive.
+// Makes room for a junction that leaves its vertex: a new vertex nearby, inside a sector or on the
+// domain boundary beside it, which takes over all edges of the sector from the old vertex. It is so
+// near that all triangles stay positive.
 #pragma once
 
 #include "dsc/complex/submesh.h"

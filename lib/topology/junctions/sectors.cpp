@@ -11,7 +11,7 @@ namespace dsc {
 
 namespace {
 
-// Whether the domain boundary does, at a vertex on it.
+// Whether the domain boundary turns at a vertex on it.
 template <class Real>
 bool turns(const Complex<Real>& complex, Vertex v) {
     std::uint32_t from = no_id;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sectors about a vertex of the interface, and how the energy changes as the vertex moves into
-// one of them. The domain boundary, which is the boundary of the domain, has no energy: it acts as
-// a mirror, and a curve meets it at 90 degrees.
+// one of them. The domain boundary has no energy: it acts as a mirror, and a curve meets it at 90
+// degrees.
 #pragma once
 
 #include "topology/region.h"
@@ -39,8 +39,8 @@ struct Sectors {
     [[nodiscard]] bool is_beside_boundary(std::size_t k) const {
         return is_on_boundary && (k == 0 || k + 1 == size());
     }
-    /// More sectors than this come apart: three curves meet inside, and one ends at the domain
-    /// boundary.
+    /// A vertex with more sectors than this is split: three curves may meet inside the domain, and
+    /// one may end at its boundary.
     [[nodiscard]] std::size_t stable() const { return is_on_boundary ? 2 : 3; }
 };
 
@@ -64,12 +64,12 @@ template <class Real>
 [[nodiscard]] bool may_change(const TopologyWork<Real>& work, Phase one, Phase other);
 
 /// The energy of an interface between two phases, per length; 0 if they are the same. Throws
-/// InputError if the application's is negative or not finite.
+/// InputError if the application's value is negative or not finite.
 template <class Real>
 [[nodiscard]] double energy_between(const TopologyWork<Real>& work, Phase one, Phase other);
 
-/// How the energy changes with the way of a junction that moves into a sector, along its middle,
-/// away from the neighbours `before` and `after`, which touch from then on.
+/// The change of energy per length that a junction moves into a sector, along its middle, away from
+/// the neighbours `before` and `after`, which then touch.
 template <class Real>
 [[nodiscard]] double energy_inwards(const TopologyWork<Real>& work, Phase before, Phase sector,
                                     Phase after, double angle);

@@ -11,7 +11,7 @@
 
 namespace dsc::initial {
 
-/// Whether the star of a vertex has changed since it was last looked at; kept in the vertices'
+/// Whether the star of a vertex has changed since it was last examined; stored in the vertices'
 /// `slot` while the complex is built. A star that could not be improved is not tried again.
 inline constexpr std::uint32_t unsettled = no_id;
 inline constexpr std::uint32_t settled = 0;
@@ -26,7 +26,7 @@ void legalise_star(Complex<Real>& complex, std::uint32_t vertex, std::vector<Cor
 template <class Real>
 WalkEnd locate(const Complex<Real>& complex, std::uint32_t start, const Point<Real>& point);
 
-/// Puts a new vertex there, or returns the one that is there already; restores the Delaunay
+/// Inserts a vertex at `point`, or returns the one that is there already; restores the Delaunay
 /// property. `place` must not be `stopped`. O(degree), except for long chains of flips.
 template <class Real>
 std::uint32_t insert_point(Complex<Real>& complex, const WalkEnd& place, const Point<Real>& point,

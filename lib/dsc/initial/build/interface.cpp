@@ -118,7 +118,7 @@ private:
             }
         });
         if (crossings.end != no_id) {
-            return crossings; // the edge to a vertex on the segment is there already
+            return crossings; // the edge to a vertex on the segment exists already
         }
         while (into != no_id) {
             crossings.edges.push_back({complex_.vertex(next(into)), complex_.vertex(prev(into))});
@@ -135,7 +135,7 @@ private:
             // About `other` lie the left and then the right end of the edge just crossed.
             into = sign > 0 ? next(other) : prev(other);
         }
-        throw InvariantError("recover_segments: the way to the other end is lost");
+        throw InvariantError("recover_segments: the walk to the other end failed");
     }
 
     void flip_away(std::uint32_t p, std::uint32_t q, std::deque<Pair>& edges) {
@@ -144,7 +144,8 @@ private:
         std::size_t patience = 64 + 16 * edges.size() * edges.size();
         while (!edges.empty()) {
             if (patience-- == 0) {
-                throw InvariantError("recover_segments: the crossing edges do not go away");
+                throw InvariantError(
+                    "recover_segments: crossing edges remain after too many flips");
             }
             const auto [right, left] = edges.front();
             edges.pop_front();
@@ -202,7 +203,8 @@ Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
         chain.reserve(path.size());
         std::uint32_t near = lattice.triangle_near(path.front());
         while (!complex.is_alive(Triangle{near})) {
-            // It was removed. The triangles of the lattice at the corners of the domain are left.
+            // It was removed: try the next one. The lattice's triangles at the corners of the
+            // domain always remain.
             near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
         }
         for (const Point<double>& place : path) {

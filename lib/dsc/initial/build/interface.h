@@ -17,7 +17,8 @@ using Chain = std::vector<std::uint32_t>;
 using Chains = std::vector<Chain>;
 
 /// Removes the lattice's inner vertices that are closer to a piece of a path than `clearance` times
-/// the length of that piece. Only for a lattice as written. O(1) per piece.
+/// the length of that piece. Only for a lattice that is unchanged since `write_lattice`. O(1) per
+/// piece.
 template <class Real>
 void clear_lattice(Complex<Real>& complex, const Lattice& lattice,
                    std::span<const CheckedPath> paths, double clearance);
@@ -35,13 +36,15 @@ Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
 template <class Real>
 std::vector<std::uint32_t> recover_segments(Complex<Real>& complex, Chains& chains);
 
-/// Gives each region between the paths the phase that these name; one that none names keeps its
-/// phase. All marks must be 0, and are so afterwards. Throws InputError if two paths name different
-/// phases for one region, or one has the same phase on both sides. O(triangles).
+/// Gives each region between the paths the phase that they name; a region that no path names keeps
+/// its phase. All marks of triangles must be 0, and are 0 afterwards. Throws InputError if two
+/// paths name different phases for one region, or one has the same phase on both sides.
+/// O(triangles).
 template <class Real>
 void fill_phases(Complex<Real>& complex, std::span<const CheckedPath> paths, const Chains& chains);
 
-/// The vertices of the chains, the first of each last. A junction comes once for each chain there.
+/// The vertices of the chains, the first of each last. A junction occurs once for each of its
+/// chains.
 inline std::vector<std::uint32_t> vertices_on(const Chains& chains) {
     std::vector<std::uint32_t> result;
     for (const Chain& chain : chains) {

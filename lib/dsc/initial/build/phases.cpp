@@ -9,11 +9,11 @@ namespace dsc::initial {
 namespace {
 
 // A piece of the interface by the corners opposite to it, in the triangles on the left and on the
-// right of its way. It stops a flood, while the phases do not tell.
+// right of its way. It bounds the regions while their phases are unknown.
 struct Barrier {
     Corner left;
     Corner right;
-    std::uint32_t path; // of which it is a piece
+    std::uint32_t path; // the path that it is a piece of
 };
 
 // Which path named a region first.
@@ -69,7 +69,8 @@ private:
                 const Corner left =
                     complex_.find_half_edge(Vertex{chains[k][i]}, Vertex{chains[k][i + 1]});
                 if (left == no_id || is_border(complex_.twin(left))) {
-                    throw InvariantError("fill_phases: a piece of the interface is no inner edge");
+                    throw InvariantError(
+                        "fill_phases: a piece of the interface is not an inner edge");
                 }
                 barriers_.push_back({left, complex_.twin(left), k});
                 for (const Corner c : {barriers_.back().left, barriers_.back().right}) {
@@ -79,7 +80,7 @@ private:
         }
     }
 
-    // Names the region at this corner, or compares the phases if that is done.
+    // Gives the region at this corner its phase, or compares the phases if it has one.
     void name(Corner c, const Named& named) {
         Named& region = regions_[region_of_[triangle_of(c)]];
         if (region.path == no_id) {
@@ -92,13 +93,14 @@ private:
         }
     }
 
-    // An outline names no phase outside: what is there is known only now.
+    // An outline does not name the phase outside, which is known only now.
     void check_sides(const Barrier& barrier) const {
         if (complex_.phase_at(barrier.left) == complex_.phase_at(barrier.right)) {
-            throw InputError({.what = "the shape has the phase of what is around it",
-                              .where = paths_[barrier.path].name,
-                              .value = std::to_string(complex_.phase_at(barrier.left)),
-                              .allowed = "any other; phase 0 only in a shape of another phase"});
+            throw InputError(
+                {.what = "the shape has the same phase as its surroundings",
+                 .where = paths_[barrier.path].name,
+                 .value = std::to_string(complex_.phase_at(barrier.left)),
+                 .allowed = "a different phase; phase 0 only inside a shape of another phase"});
         }
     }
 

@@ -99,7 +99,7 @@ private:
         }
         const BreakUp result = break_up(complex_, triangle, protection_, stack_);
         if (result.vertex != no_id) {
-            take(result.vertex);
+            add_vertex(result.vertex);
         } else if (result.in_the_way != no_id && split_side(result.in_the_way, shortest_side) &&
                    complex_.is_alive(Triangle{triangle})) {
             queue_.push_back(triangle);
@@ -121,12 +121,12 @@ private:
             return false;
         }
         const Point<Real> middle = narrowed<Real>(midpoint<double>(at(a), at(b)));
-        take(insert_point(complex_, {WalkEnd::Kind::edge, corner}, middle, stack_));
+        add_vertex(insert_point(complex_, {WalkEnd::Kind::edge, corner}, middle, stack_));
         return true;
     }
 
-    // A new vertex gets its target from its star, whose triangles are looked at.
-    void take(std::uint32_t v) {
+    // Gives a new vertex the target that its star implies, and queues the star's triangles.
+    void add_vertex(std::uint32_t v) {
         if (gather(complex_, Region{}, v, star_)) {
             field_[Vertex{v}] = rule_.at(star_, field_.data(), Real(0));
         }
@@ -140,12 +140,12 @@ private:
     SizeField<Real>& field_;
     double edge_length_;
     Protection protection_;
-    std::vector<std::uint32_t> queue_; ///< triangles to be looked at, in order
+    std::vector<std::uint32_t> queue_; ///< triangles to be examined, in order
     std::vector<Corner> stack_;
     Star<Real> star_;
 };
 
-// Collapses vertices where there are more of them than the targets call for. Returns their number.
+// Collapses vertices where there are more of them than the targets require. Returns their number.
 template <class Real>
 std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
     const SizeField<Real>& field = size_field(complex);

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
                                      std::span<const std::uint32_t> interface_vertices,
                                      double edge_length);
 
-/// Improves the triangles around the given vertices of the interface, in at most so many rounds,
+/// Improves the triangles around the given vertices of the interface, in at most `rounds` rounds,
 /// until nothing improves any more. O(vertices near the interface) a round.
 template <class Real>
 void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,

@@ -12,7 +12,8 @@
 
 namespace dsc::initial {
 
-/// What no new vertex may enter, about a piece of the interface or of a side of the domain.
+/// The region around a piece of the interface, or of a side of the domain, that no new vertex may
+/// enter.
 enum class Protection : std::uint8_t {
     circle, ///< the smallest circle: the piece is seen at an angle of at most 90 degrees
     /// The part of it where the piece is seen at more than 120 degrees, so that triangles may have
@@ -25,7 +26,7 @@ Point<double> position_of(const Complex<Real>& complex, std::uint32_t vertex) {
     return complex.position(Vertex{vertex}).template cast<double>();
 }
 
-/// What came of breaking up a triangle.
+/// The result of breaking up a triangle.
 struct BreakUp {
     std::uint32_t vertex = no_id; ///< the new vertex, or none
     Corner in_the_way = no_id; ///< opposite to the constrained edge that prevented it, if one did

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Fewer and better placed vertices: smoothing and collapses that are accepted only where the worst
-// triangle about a vertex becomes better. L. A. Freitag, C. Ollivier-Gooch, "Tetrahedral mesh
-// improvement using swapping and smoothing" (1997), is the recipe: Laplacian smoothing where it
-// helps, a search for the best place where it does not.
+// triangle about a vertex becomes better. Laplacian smoothing where it helps, a search for the best
+// place where it does not, as in L. A. Freitag, C. Ollivier-Gooch, "Tetrahedral mesh improvement
+// using swapping and smoothing" (1997).
 #pragma once
 
 #include "dsc/complex/complex.h"

@@ -13,7 +13,7 @@ namespace dsc::initial {
 
 namespace {
 
-// The half plane on one side of an upright or a level line.
+// The half plane on one side of a vertical or horizontal line.
 struct Side {
     int axis;
     double place;
@@ -31,7 +31,7 @@ std::array<Side, 4> sides_of(const Lattice& lattice) {
              {1, lattice.high.y(), false}}};
 }
 
-// Where an edge meets a side; the same for both of its ways.
+// Where an edge meets a side; the same for both of its directions.
 template <class Real>
 Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
     if (is_left_of(b, a)) {
@@ -43,8 +43,8 @@ Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
     return p;
 }
 
-// What lies on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant polygon
-// clipping", 1974). Edges along the line that belong to no part of the shape are there twice.
+// Keeps what lies on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant
+// polygon clipping", 1974). Edges along the line that bound no part of the shape occur twice.
 template <class Real>
 void clip(Loop& loop, const Side& side) {
     Loop result;
@@ -75,7 +75,7 @@ void clip(Loop& loop, const Side& side) {
     loop.numbers.swap(result.numbers);
 }
 
-// Of its points from a side; negative beyond it.
+// The smallest distance of its points from a side; negative beyond it.
 double min_distance(const Loop& loop, const Side& side) {
     double least = std::numeric_limits<double>::infinity();
     for (const Point<double>& p : loop.points) {
@@ -84,7 +84,7 @@ double min_distance(const Loop& loop, const Side& side) {
     return least;
 }
 
-// Points hardly beside a side are moved onto it.
+// Moves points within the tolerance of a side onto it.
 void move_to_side(Loop& loop, const Side& side, double tolerance) {
     for (Point<double>& p : loop.points) {
         if (std::abs(side.distance(p)) < tolerance) {

@@ -19,7 +19,8 @@ struct Loop {
     std::vector<std::uint32_t> numbers; ///< of these points, as the caller counts them
 };
 
-/// Whether a point comes first from left to right, and of two above each other the lower one.
+/// Whether a comes before b from left to right; of two points with equal x, the lower one comes
+/// first.
 [[nodiscard]] bool is_left_of(const Point<double>& a, const Point<double>& b);
 
 /// Whether the edge between two points lies on a side of the domain.
@@ -32,8 +33,8 @@ struct Clipped {
     bool is_at_side = false; ///< a loop was cut, or lies within the tolerance of a side
 };
 
-/// Cuts off what lies beyond the sides of the domain, and moves points that are closer to a side
-/// than `tolerance` onto it; loops of which nothing is left are removed. O(points).
+/// Cuts off what lies beyond the sides of the domain, moves points that are closer to a side than
+/// `tolerance` onto it, and removes loops that become empty. O(points).
 template <class Real>
 Clipped clip_to_domain(std::vector<Loop>& loops, const Lattice& lattice, double tolerance);
 

@@ -60,7 +60,8 @@ public:
         while (!short_lines_.empty()) {
             const auto [length, k] = short_lines_.top();
             short_lines_.pop();
-            if (is_gone_[k] == 0 && length == length_of(k)) { // else it has been offered anew
+            if (is_gone_[k] == 0 && length == length_of(k)) { // else it is queued again with its
+                                                              // new length
                 contract(k);
             }
         }
@@ -76,7 +77,8 @@ public:
 private:
     struct Junction {
         Point<double> place{0, 0};
-        Points given;                     // the junctions that became this one; none: it is gone
+        Points given;                     // the junctions merged into this one; none: it was merged
+                                          // itself
         std::vector<std::uint32_t> lines; // that end here; closed ones twice
     };
     using Short = std::pair<double, std::uint32_t>;
@@ -116,7 +118,7 @@ private:
                                static_cast<double>(kept.given.size() + lost.given.size());
             target = rounded<Real>(Point<double>(kept.place + share * (lost.place - kept.place)));
         }
-        // An end on a side stays: the other one goes the whole way.
+        // An end on a side stays: the other one moves all the way to it.
         const double farthest =
             (is_held || is_other_held ? finest_edge : max_deviation) * edge_length_;
         double deviation = 0;
@@ -171,7 +173,8 @@ private:
         }
     }
 
-    // What is left of a region of whose border a part was contracted.
+    // Drops a line from a junction to itself that is too small for the mesh: its region has shrunk
+    // by contractions.
     void drop_small_loop(std::uint32_t line) {
         const Points& points = lines_[line].given;
         if (is_gone_[line] != 0 || ends_[line][0] != ends_[line][1] ||
@@ -187,8 +190,8 @@ private:
         report_.area_dropped += std::abs(doubled_area) / 2;
     }
 
-    // Two edges between the same junctions, which a region lay between: they become one, or none
-    // where the phases on both sides are the same.
+    // Merges two edges between the same junctions, whose region in between has vanished, into one,
+    // or into none if the phases on both sides are equal.
     void join_with_twin(std::uint32_t line, const std::vector<std::uint32_t>& others) {
         for (const std::uint32_t twin : others) {
             const bool is_forth = ends_[twin] == ends_[line];
@@ -216,8 +219,8 @@ private:
         }
     }
 
-    // Whether no other point lies where the lines of two junctions pass when these move, nor beside
-    // the line between them.
+    // Whether the two junctions can move to the target without any other point in the area that
+    // their lines sweep, or beside the line between them.
     [[nodiscard]] bool is_free(std::uint32_t one, std::uint32_t other, std::uint32_t between,
                                const Point<double>& target) const {
         const Point<double>& a = junctions_[one].place;
@@ -273,7 +276,7 @@ private:
                 return true;
             }
         }
-        // Junctions are sorted by where they were.
+        // Junctions are sorted by their original positions.
         const double moved = finest_edge * edge_length_;
         for (auto at = std::ranges::lower_bound(from_left_, std::pair(low - moved, 0U));
              at != from_left_.end() && at->first <= high + moved; ++at) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Junctions of a coverage that are closer to each other than the mesh can carry become one. Voronoi
-// cells have such pairs: four cells that nearly meet in a point.
+// Merges junctions of a coverage that are too close to each other for the mesh. Voronoi cells have
+// such pairs: four cells that nearly meet in a point.
 #pragma once
 
 #include "dsc/initial/input/line.h"

@@ -27,8 +27,8 @@ using Points = std::vector<Point<double>>;
 
 // --- the domain and the options ------------------------------------------------------------------
 
-// Of the lattice. Where edges grow, it is as coarse as they may become: an eighth of the smaller
-// side of the domain is small enough for triangles of good quality, and costs nothing.
+// The spacing of the lattice. Where edges grow, it is as coarse as they may become: an eighth of
+// the smaller side of the domain is small enough for triangles of good quality, and costs nothing.
 double spacing_of(const InitialOptions& options, double side) {
     if (options.sizes.is_uniform()) {
         return options.edge_length;
@@ -63,15 +63,16 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
     }
     constexpr double least = min_initial_edge_length;
     require(h >= least && h <= 1 / least, "edge_length", h,
-            to_text(least) + " to " + to_text(1 / least) + "; choose_frame brings any scene there");
+            to_text(least) + " to " + to_text(1 / least) +
+                "; scale other scenes with choose_frame");
     require(h <= std::min(width, height), "edge_length", h,
             "at most " + to_text(std::min(width, height)) + ", the smaller side of the domain");
     const double resolution = std::max(largest(low), largest(high)) *
                               static_cast<double>(std::numeric_limits<Real>::epsilon());
-    require(
-        h >= min_steps * resolution, "edge_length", h,
-        "at least " + to_text(min_steps * resolution) +
-            ", what coordinates of this size resolve; choose_frame brings a scene near the origin");
+    require(h >= min_steps * resolution, "edge_length", h,
+            "at least " + to_text(min_steps * resolution) +
+                ", the resolution of coordinates of this size; move the scene to the origin with "
+                "choose_frame");
     check_sizes(options.sizes, h);
     const double spacing = spacing_of(options, std::min(width, height));
     // An equilateral triangle has the area sqrt(3)/4 h^2.
@@ -147,15 +148,15 @@ void check_phases(const CheckedPath& path) {
 [[noreturn]] void refuse_doubled(const Line& line, std::size_t edge) {
     throw InputError(
         {.what = line.given[edge] == line.given[edge + 1]
-                     ? "the edge has no length"
+                     ? "the edge has length 0"
                      : "points collide when rounded to the scalar of the complex",
          .where = line.edge(edge),
          .value = line.ends_of_edge(edge),
          .allowed = "points that differ from the one before, unless detail may be left out"});
 }
 
-// Rounds the points, which must be finite. Of those that are the same as the one before, the first
-// is left; there must be enough of them then.
+// Rounds the points, which must be finite. Of consecutive equal points the first is kept; enough
+// points must remain.
 template <class Real>
 void round_points(Line& line, Detail detail, InputReport& report) {
     std::vector<std::uint32_t> kept;
@@ -205,7 +206,7 @@ void check_places(const Line& line, const Lattice& lattice, double h) {
     }
 }
 
-// Rounds each line, and makes the checks that need no other one.
+// Rounds each line, and checks it by itself.
 template <class Real>
 void check_lines(std::vector<Line>& lines, const Lattice& lattice, const InitialOptions& options,
                  InputReport& report) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a first complex is asked for, checked and made ready: outlines and curves alike, rounded to
-// the scalar and cut into pieces.
+// Checks and prepares the input of the initial complex: outlines and curves, rounded to the scalar
+// and cut into pieces.
 #pragma once
 
 #include "dsc/initial/build/lattice.h"
@@ -15,18 +15,18 @@ namespace dsc::initial {
 inline constexpr double min_margin = 1e-3;
 /// More triangles than this are taken for a mistake; ids would end at 2^30.
 inline constexpr double max_triangles = 5e8;
-/// The interface may be cut into so many pieces.
+/// The largest number of pieces of the interface.
 inline constexpr double max_pieces = max_triangles / 4;
 /// Qualities compare products of four lengths, and quotients of these: they must stay within the
-/// range of doubles. A simulation asks for more: `min_edge_length` in triangle.h.
+/// range of doubles. The limit of a simulation is stricter: `min_edge_length` in triangle.h.
 inline constexpr double min_initial_edge_length = 1e-100;
 /// Detail is kept in edges that are at least this times the edge length long.
 inline constexpr double shortest_kept_edge = 0.05;
-/// An edge length must span so many steps of the scalar at the largest coordinate.
+/// The edge length must be at least this many steps of the scalar at the largest coordinate.
 inline constexpr double min_steps = 64;
 
 /// A path of the interface without an edge longer than the target; a closed one repeats its first
-/// point at the end. Two of them, or two parts of one, have nothing in common but ends.
+/// point at the end. Two paths, or two parts of one, have no points in common but ends.
 struct CheckedPath {
     std::string name; ///< in messages: "shape 2"
     Phase left = exterior_phase;
@@ -41,9 +41,9 @@ struct CheckedInput {
     Phase background = exterior_phase; ///< of the domain, if there is no path
 };
 
-/// What is drawn is outlines (`Shape`) or curves. Throws InputError as `initial_complex` documents,
-/// except for phases that contradict each other: `fill_phases` finds these. Adds to `report` what
-/// was left out. O(n log n) for n pieces.
+/// `Drawn` is `Shape` or `Curve`. Throws InputError as `initial_complex` documents, except for
+/// phases that contradict each other: `fill_phases` finds these. Adds to `report` what was left
+/// out. O(n log n) for n pieces.
 template <class Real, class Drawn>
 CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
                          const InitialOptions& options, InputReport& report);

@@ -16,13 +16,13 @@ namespace {
 constexpr double half_diamond = 0.45;
 /// Smoothing (G. Taubin, "A signal processing approach to fair surface design", 1995): points move
 /// to the middle of their neighbours, and then back from it by a little more, so that only waves
-/// shorter than about thirty points vanish, and corners and circles are not drawn in.
+/// shorter than about thirty points vanish, and corners and circles do not shrink.
 constexpr int smoothing_steps = 60;
 constexpr double shrinking = 0.5;
 constexpr double swelling = -1 / (1 / shrinking - 0.02);
-/// Two arms of a junction that are closer to each other in direction than this are drawn back.
+/// Two arms of a junction with a smaller angle between them are moved back to where they began.
 constexpr double min_angle = 20 * std::numbers::pi / 180;
-/// Rounds of making areas right; each leaves about a tenth of the error.
+/// Rounds of area correction; each leaves about a tenth of the error.
 constexpr int area_rounds = 12;
 
 class Smoothing {
@@ -67,7 +67,7 @@ private:
         neighbours_[sites_[one].neighbours_begin + sites_[one].neighbours++] = other;
     }
 
-    // As near to `place` as the site may be.
+    // Moves a site as near to `place` as its diamond and its side allow.
     static void move(Site& site, Point<double> place) {
         if (site.kind == Site::Kind::end) {
             const int held = site.slides_upright ? 0 : 1;
@@ -96,7 +96,8 @@ private:
         }
     }
 
-    // Arms leave a junction in the same order as at the start, and no two in about one direction.
+    // Whether arms leave a junction in the same order as at the start, and no two in nearly the
+    // same direction.
     [[nodiscard]] bool is_open(const Site& site) const {
         std::vector<std::array<double, 2>> arms;
         for (std::uint32_t k = 0; k < site.neighbours; ++k) {
@@ -120,7 +121,7 @@ private:
 
     // Draws junctions that are not open, and the sites beside them, back to where they began.
     void open_junctions() {
-        constexpr int max_rounds = 60; // halves what is far from its beginning in each
+        constexpr int max_rounds = 60; // each halves the distance to where it began
         for (int round = 0; round < max_rounds; ++round) {
             bool any = false;
             for (Site& site : sites_) {
@@ -140,8 +141,8 @@ private:
         }
     }
 
-    // By how much the area on the left of a boundary is larger than that of the pixels. The sides
-    // of the image belong to the outlines of grains: along the right one, x is not 0.
+    // The area on the left of a boundary minus that of the pixels. The sides of the image belong to
+    // the outlines of grains: along the right one, x is not 0.
     [[nodiscard]] double area_gained(const Boundary& boundary) const {
         double area = -boundary.first_area;
         for (std::size_t i = 1; i < boundary.sites.size(); ++i) {
@@ -157,9 +158,9 @@ private:
         return area + slid(boundary.sites.front()) - slid(boundary.sites.back());
     }
 
-    // Moves boundaries sideways so that each grain gets its area: what crosses a boundary is its
-    // length times the difference of two numbers of the grains on both sides. The numbers solve
-    // Poisson's equation on the graph of the grains, by conjugate gradients.
+    // Moves boundaries sideways so that each grain gets its area: the area that crosses a boundary
+    // is its length times the difference of two numbers, one for the grain on each side. The
+    // numbers solve Poisson's equation on the graph of the grains, by conjugate gradients.
     void correct_areas() {
         std::vector<double> missing(grains_, 0);
         std::vector<double> length;
@@ -212,7 +213,7 @@ private:
                 image[boundary.right] -= flow;
             }
             const double curvature = dot(direction, image);
-            if (!(curvature > 0)) { // nothing is left but rounding
+            if (!(curvature > 0)) { // only rounding remains
                 break;
             }
             const double share = size / curvature;

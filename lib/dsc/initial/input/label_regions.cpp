@@ -46,7 +46,7 @@ struct Extent {
     std::map<std::uint32_t, std::size_t> borders{}; // of small ones: sides of pixels
 };
 
-// One round: small grains go to neighbours that do not go anywhere in this round.
+// One round: merges small grains into neighbours that are not merged themselves in this round.
 bool drop_once(LabelImage& image, const Point<double>& pixel, double min_size,
                InputReport& report) {
     const Grains grains = grains_of(image);
@@ -92,7 +92,7 @@ bool drop_once(LabelImage& image, const Point<double>& pixel, double min_size,
     std::ranges::stable_sort(small, {}, [&](std::uint32_t g) { return grains.pixels[g]; });
     constexpr std::uint32_t stays = no_id;
     std::vector<std::uint32_t> goes_to(extents.size(), stays);
-    std::vector<std::uint8_t> is_taken(extents.size(), 0); // by a grain that goes there
+    std::vector<std::uint8_t> is_taken(extents.size(), 0); // whether a grain is merged into it
     bool any = false;
     for (const std::uint32_t g : small) {
         const auto& borders = extents[g].borders;

@@ -43,7 +43,7 @@ public:
     Boundaries take() { return std::move(found_); }
 
 private:
-    // Of the pixel above and to the right of a corner.
+    // The index of the pixel above and to the right of a corner.
     [[nodiscard]] std::size_t pixel(int x, int y) const {
         return static_cast<std::size_t>(rows_ - 1 - y) * image_.columns +
                static_cast<std::size_t>(x);
@@ -74,7 +74,8 @@ private:
         }
         return arms != 0 && arms != 2;
     }
-    // The way on from a corner that is no node, for one who comes by the way that leads to it.
+    // The direction in which a boundary goes on from a corner that is not a node, if it arrives
+    // there by `way`.
     [[nodiscard]] int next_way(int x, int y, int way) const {
         for (int other = 0; other < 4; ++other) {
             if (other != opposite(way) && leads(x, y, other)) {

@@ -16,7 +16,7 @@
 
 namespace dsc::initial {
 
-/// In messages.
+/// The name of shape k in messages.
 [[nodiscard]] inline std::string name_of(std::span<const Shape> shapes, std::size_t k) {
     return shapes[k].name.empty() ? "shape " + std::to_string(k) : shapes[k].name;
 }

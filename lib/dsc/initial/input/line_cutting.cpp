@@ -18,8 +18,7 @@ namespace {
 
 using Points = std::vector<Point<double>>;
 
-// The interface by numbers: equal ends of curves are one point. The outline of a shape has its
-// points for itself.
+// The interface by numbers of points: equal ends of curves are one point. Outlines share no points.
 class Network {
 public:
     Network(std::span<const Line> lines, const Lattice& lattice, double h)
@@ -167,11 +166,11 @@ private:
             return lines_[edge_names_[e][0]].edge(edge_names_[e][1]);
         };
         const auto [first, second] = std::minmax(edge, other);
-        throw InputError({.what = "two edges cross, touch or overlap",
-                          .where = name(first),
-                          .value = "contact with " + name(second),
-                          .allowed = "outlines that are simple and apart; curves that meet nothing "
-                                     "but the ends of curves with their ends"});
+        throw InputError(
+            {.what = "two edges cross, touch or overlap",
+             .where = name(first),
+             .value = "contact with " + name(second),
+             .allowed = "simple, disjoint outlines; curves that meet only at common ends"});
     }
 
     std::span<const Line> lines_;

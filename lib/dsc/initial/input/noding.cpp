@@ -48,7 +48,7 @@ public:
         }
     }
 
-    // Points of different loops within the tolerance become one.
+    // Merges points of different loops within the tolerance.
     void join_points() {
         struct Near {
             double distance;
@@ -101,7 +101,7 @@ public:
     }
 
     // A point on an edge, or of another loop within the tolerance of it, becomes part of it. An
-    // edge that bends so may come to lie on further points.
+    // edge that is bent by this may then lie on further points.
     void join_edges() {
         bool any = true;
         while (any) {
@@ -204,7 +204,7 @@ public:
             }
             std::vector<std::uint32_t>& list = shapes.edges.back().shapes;
             if (!list.empty() && list.back() == shape) {
-                list.pop_back(); // there and back
+                list.pop_back(); // both ways: no border of the shape
             } else {
                 list.push_back(shape);
             }
@@ -252,7 +252,7 @@ private:
         return is_along_side(lattice_, p, p);
     }
 
-    // The points to be put into an edge of a loop, in their order along it.
+    // The points to be inserted into an edge of a loop, in their order along it.
     [[nodiscard]] std::vector<std::uint32_t> on_edge(std::uint32_t loop, std::uint32_t from,
                                                      std::uint32_t to) const {
         const Point<double>& a = points_[from];
@@ -313,7 +313,7 @@ private:
                           .allowed = "outlines that do not cross themselves or each other"});
     }
 
-    // About where two edges cross.
+    // Approximately where two edges cross.
     static Point<double> place_of(std::span<const Point<double>> points, const auto& one,
                                   const auto& other) {
         const Point<double>& a = points[one.from];
@@ -342,7 +342,7 @@ NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double
     std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
     const Clipped clipped = clip_to_domain<Real>(loops, lattice, tolerance);
     std::optional<Noding> noding;
-    // Edges that were joined may come to cross others, which takes a round or two.
+    // Joined edges may cross others, so that this takes a round or two.
     for (int rounds = 8;; --rounds) {
         noding.emplace(loops, lattice, tolerance);
         noding->join_points();

@@ -16,7 +16,8 @@ namespace dsc::initial {
 struct NodedEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
-    std::vector<std::uint32_t> shapes; ///< whose border it is: the others have it twice, or not
+    std::vector<std::uint32_t> shapes; ///< whose border it is part of; the others have it twice, or
+                                       ///< not
     std::uint32_t loop = 0;            ///< one that it belongs to
     std::uint32_t number = 0;          ///< of the edge there
 };
@@ -29,7 +30,7 @@ struct NodedShapes {
 };
 
 /// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross,
-/// unless they are of different shapes and `may_cross`: then they meet there.
+/// unless they are of different shapes and `may_cross`: then the crossing becomes a common point.
 template <class Real>
 NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance,
                         bool may_cross = false);

@@ -77,12 +77,12 @@ public:
         }
     }
 
-    // By the side of an edge.
+    // The shapes that cover the region at a side of an edge.
     [[nodiscard]] const Shapes& covering(std::uint32_t side) const { return covering_[side]; }
     [[nodiscard]] std::uint32_t region(std::uint32_t side) const { return region_[side]; }
 
 private:
-    // The regions about a point, where edges end and begin, each list from below.
+    // Unites the regions about a point by the edges that end and begin there, each list from below.
     void unite_around(std::span<const std::uint32_t> ended, std::span<const std::uint32_t> begun) {
         for (const auto list : {ended, begun}) {
             for (std::size_t i = 1; i < list.size(); ++i) {
@@ -132,8 +132,7 @@ private:
     std::vector<std::uint32_t> region_; // by side: the smallest side of the region
 };
 
-// --- phases
-// ---------------------------------------------------------------------------------------
+// --- phases --------------------------------------------------------------------------------------
 
 // The phase of each region: that of the innermost shape, by the even-odd rule among shapes of one
 // phase.
@@ -201,7 +200,7 @@ private:
                                 2;
             region.area += side == left_of(e) ? area : -area;
             region.border += length;
-            // Those that go on beyond the border, or begin there.
+            // Shapes that continue beyond an overlap, or begin beside a gap.
             const bool is_covered = within != Shapes{domain()};
             for (const std::uint32_t k : beyond) {
                 if (k != domain() && is_covered == std::ranges::binary_search(within, k)) {
@@ -211,7 +210,7 @@ private:
         }
     }
 
-    // Of two shapes, the one that has a region which either may have.
+    // Whether `one` rather than `other` gets a region that either may have.
     [[nodiscard]] bool goes_before(std::uint32_t one, std::uint32_t other,
                                    const std::map<std::uint32_t, double>& shared) const {
         const auto share = [&](std::uint32_t k) {
@@ -266,7 +265,7 @@ private:
 
 public:
 private:
-    // Of a region that these shapes cover.
+    // The phase of a region that these shapes cover.
     [[nodiscard]] Phase of(Shapes covering) const {
         std::ranges::sort(covering, [this](std::uint32_t a, std::uint32_t b) {
             return std::pair(sides_of_[b], a) < std::pair(sides_of_[a], b); // the outermost first
@@ -324,7 +323,7 @@ private:
     struct Region {
         double area = 0;
         double border = 0;                      // its length
-        std::map<std::uint32_t, double> shared; // of it, by the shape that goes on beyond it
+        std::map<std::uint32_t, double> shared; // the part of it with each shape beyond
     };
 
     std::span<const Shape> shapes_;

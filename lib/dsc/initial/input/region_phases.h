@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The phases on both sides of each edge: that of the innermost shape around a region, and what
-// happens to gaps between shapes and to regions of two of them (compare the CoverageCleaner of
-// JTS).
+// The phases on both sides of each edge: that of the innermost shape around a region; and the
+// treatment of gaps between shapes and of overlaps (compare the CoverageCleaner of JTS).
 #pragma once
 
 #include "dsc/initial/input/noding.h"
@@ -12,10 +11,10 @@
 
 namespace dsc::initial {
 
-/// On the left and right of each edge, on its way from `from` to `to`. Unless the coverage is open,
-/// the domain is a loop of the shape after the last. Throws InputError where shapes overlap of
-/// which none lies in the other, where one has the phase of what is around it, and where gaps are
-/// refused. O(n log n) for n edges.
+/// The phases on the left and right of each edge, seen from `from` to `to`. Unless the coverage is
+/// open, the domain counts as a loop of one more shape, after the last. Throws InputError where
+/// shapes overlap of which none lies in the other, where one has the same phase as its
+/// surroundings, and where gaps are refused. O(n log n) for n edges.
 std::vector<std::array<Phase, 2>> phases_beside(const NodedShapes& noded,
                                                 std::span<const Shape> shapes,
                                                 const InitialOptions& options);

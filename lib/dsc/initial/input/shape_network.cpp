@@ -23,8 +23,7 @@ namespace {
 
 using Points = std::vector<Point<double>>;
 
-// --- curves
-// ---------------------------------------------------------------------------------------
+// --- curves --------------------------------------------------------------------------------------
 
 struct Border {
     std::uint32_t from;
@@ -94,8 +93,7 @@ private:
     std::vector<std::uint8_t> done_;             // by border
 };
 
-// --- the shapes
-// -----------------------------------------------------------------------------------
+// --- the shapes ----------------------------------------------------------------------------------
 
 template <class Real>
 void add_loop(std::span<const Point<double>> points, std::uint32_t shape, const std::string& name,
@@ -146,8 +144,8 @@ bool holds(const Points& polygon, const Point<double>& p) {
     return inside;
 }
 
-// Whether the innermost shape around another one has its phase. For loops that lie apart, one for
-// each shape.
+// Whether a shape has the same phase as the innermost shape around it. For loops that lie apart,
+// one for each shape.
 bool has_holes(std::span<const Shape> shapes, std::span<const Loop> loops) {
     struct Box {
         Point<double> low, high;

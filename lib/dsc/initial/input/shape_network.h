@@ -15,12 +15,12 @@ struct ShapeNetwork {
     Phase background = exterior_phase; ///< of the domain, if there is no curve
 };
 
-/// The curves between the shapes. Nothing if the shapes are simple polygons that lie apart, inside
-/// the domain, and none of them is a hole of another: then they are the interface as they are.
+/// The curves between the shapes. Empty if the shapes are simple polygons that lie apart, inside
+/// the domain, and none of them is a hole of another: then they can be used unchanged.
 ///
 /// Throws InputError where outlines cross, where shapes overlap of which none lies in the other,
-/// and where a shape has the phase of what is around it. O(n log n) for n points at distances that
-/// do not differ much.
+/// and where a shape has the same phase as its surroundings. O(n log n) for n points at distances
+/// that do not differ much.
 template <class Real>
 std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Lattice& lattice,
                                        const InitialOptions& options, InputReport& report);

@@ -76,7 +76,7 @@ private:
                static_cast<std::uint64_t>(static_cast<std::int64_t>(row) & 0xffffffff);
     }
 
-    // From where to where a triangle lies in a row, a little widened against rounding.
+    // The range of a triangle in a row, slightly widened against rounding.
     static std::array<double, 2> range_in_row(const std::array<Point<double>, 3>& at, double row) {
         constexpr double slack = 1e-6;
         double left = std::numeric_limits<double>::infinity();
@@ -167,7 +167,7 @@ private:
     struct State { // of a strand
         std::uint32_t first = 0;
         std::uint32_t last = 0;
-        std::uint32_t may_go = 0; // as many vertices, so that the strand keeps its shape
+        std::uint32_t may_go = 0; // vertices that can still be removed without losing the strand
         double max_area_change = 0;
         double area_change = 0; // on its left
     };
@@ -192,7 +192,8 @@ private:
             state.last = static_cast<std::uint32_t>(nodes.size()) - 1;
             nodes[state.first].previous = is_free ? state.last : no_id;
             nodes[state.last].next = is_free ? state.first : no_id;
-            // Two curves between the same ends must not become one edge, nor a closed one none.
+            // Two curves between the same ends must not become the same edge, nor a closed one
+            // vanish.
             const std::uint32_t least = is_free || points.front() != points.back() ? 3 : 4;
             const std::uint32_t count = state.last - state.first + 1;
             state.may_go = count - std::min(least, count);
@@ -219,7 +220,7 @@ private:
         }
     }
 
-    // Removes the end of a short edge that costs less, if one may go.
+    // Removes the end of a short edge that costs less, if either may be removed.
     void shorten(const ShortEdge& edge) {
         const Removal from = removal(edge.from);
         const Removal to = removal(edge.to);
@@ -243,7 +244,7 @@ private:
         }
     }
 
-    // What removing a vertex does; without a vertex if it must stay.
+    // The effect of removing a vertex; `vertex` is no_id if it must stay.
     [[nodiscard]] Removal removal(std::uint32_t vertex) const {
         const Node& node = nodes_[vertex];
         const State& state = states_[node.strand];
@@ -329,7 +330,7 @@ bool is_dropped(std::span<const Point<double>> outline, const std::string& name,
              .where = name,
              .value = is_line ? std::to_string(outline.size()) : to_text(size),
              .allowed = is_line ? "3 or more different ones around a region"
-                                : "an edge length of at most that, or detail left out"});
+                                : "an edge length of at most this size, or detail left out"});
     }
     ++report.dropped;
     report.area_dropped += std::abs(doubled_area) / 2;

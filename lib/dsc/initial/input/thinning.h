@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Leaves out points of the interface that are closer together than the mesh can carry: detail below
-// the edge length would give needles for ever. Vertices are removed at the shortest edges first
+// Leaves out points of the interface that are too close together for the mesh: detail below the
+// edge length would give permanent needles. Vertices are removed at the shortest edges first
 // (compare M. Visvalingam, J. D. Whyatt, "Line generalisation by repeated elimination of points",
 // 1993), so that ends of curves, and all points at long edges, stay as they are.
 #pragma once
@@ -18,11 +18,11 @@ namespace dsc::initial {
 /// an edge grow by more than the mesh can follow once the interface moves.
 inline constexpr double finest_edge = 0.2;
 /// No point that is left out lies farther than this times the edge length from the edge in its
-/// place: half of the finest edge, so that a tooth of such edges may go.
+/// place: half of the finest edge, so that a tooth of two such edges can be removed.
 inline constexpr double max_deviation = 0.1;
 /// The area on one side of a curve changes by less than this times the edge length and the length
-/// of the curve, and by less than this times the area inside a closed one. On a smooth curve, the
-/// deviation is hardly larger.
+/// of the curve, and by less than this times the area inside a closed one. On a smooth curve this
+/// also bounds the deviation to about this times the edge length.
 inline constexpr double max_area_change = 1e-3;
 
 /// A line of points that has no point in common with others but its ends.
@@ -32,8 +32,8 @@ struct Strand {
 };
 
 /// For each strand the indices of the points that stay, ascending; those of a closed strand are
-/// closed by the caller. The strands that are left have no point in common that the given ones had
-/// not. Adds to `report` what was left out. O(n log n) for n points at about the same distance.
+/// closed by the caller. The strands that result have no new common points. Adds to `report` what
+/// was left out. O(n log n) for n points at about the same distance.
 std::vector<std::vector<std::uint32_t>> thin(std::span<const Strand> strands, double edge_length,
                                              InputReport& report);
 

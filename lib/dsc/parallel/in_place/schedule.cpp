@@ -11,7 +11,7 @@ enum State : std::uint8_t {
     waiting,
     claimed,
     done,
-    failed, ///< it has thrown, or one that it waits for
+    failed, ///< it has thrown, or a task that it waits for
 };
 
 } // namespace
@@ -101,7 +101,7 @@ double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment as
     double idle_s = 0; // since the last task
     std::uint32_t done_here = 0;
     while (true) {
-        bool is_any_left = false; // that this thread has to see to
+        bool is_any_left = false; // that this thread must run or wait for
         bool has_run = false;
         const auto attempt = [&](std::size_t task) {
             if (!claim(task)) {

@@ -21,10 +21,10 @@ class Schedule {
 public:
     TaskGraph tasks; ///< what there is to run; not to be changed during a run
 
-    /// Calls `run(task)` once for each, on so many threads of the pool (fewer if it has fewer).
-    /// Where one has thrown, the tasks that wait for it do not begin, the others do: so what has
-    /// been done does not depend on threads. The exception of the first of them is rethrown when
-    /// all have ended. No allocation if the graph has not grown.
+    /// Calls `run(task)` once for each task, on at most this many threads of the pool. If a task
+    /// throws, those that wait for it do not start, and all others do: what is done does not depend
+    /// on threads. The exception of the first task that threw is rethrown when all have ended. No
+    /// allocation if the graph has not grown.
     void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
              const std::function<void(std::size_t task)>& run);
 

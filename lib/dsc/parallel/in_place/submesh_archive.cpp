@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the executor carries from one step to the next: the partition, when it was made, and each
-// submesh with its list and its active set.
+// Archives what the executor keeps from one step to the next: the partition, when it was made, and
+// each submesh with its list and its active set.
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 
@@ -28,7 +28,7 @@ void archive(Archive& archive, Partition& partition) {
     const bool is_whole =
         !partition.colours.empty() &&
         std::ranges::none_of(partition.colours, [](const Colour& c) { return c.regions.empty(); });
-    archive.expect(is_whole, "holds a partition without submeshes");
+    archive.expect(is_whole, "partition without submeshes");
 }
 
 template <class Real>
@@ -39,7 +39,7 @@ void SubmeshExecutor<Real>::archive(Archive& archive) {
     bool lends = has_pools(); // the ids themselves are part of the complex
     archive(lends);
     if (archive.is_reading()) {
-        parts_.clear(); // the complex that lent them their ids is gone
+        parts_.clear(); // the ids lent to them belong to the complex that was replaced
         generation_ = lends ? complex_.ids.generation : 0;
         make_parts(Recut::all);
         connect();

@@ -24,7 +24,7 @@ std::size_t size_of(const Partition& partition) {
     return size;
 }
 
-// Each colour covers the plane: the whole is in one submesh.
+// Whether each colour has a single region, which is then the whole plane.
 bool is_one(const Partition& partition) { return size_of(partition) == partition.colours.size(); }
 
 } // namespace
@@ -40,10 +40,10 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
     require(parallel.threads >= 1 && parallel.threads <= 1024, "threads", parallel.threads,
             "1 to 1024");
     if (!partitioner_) {
-        throw InputError({.what = "no partitioner",
+        throw InputError({.what = "null partitioner",
                           .where = "SubmeshExecutor",
                           .value = "null",
-                          .allowed = "an object"});
+                          .allowed = "a Partitioner object"});
     }
     this->in_shares_ = [this](std::size_t shares, const std::function<void(std::size_t)>& task) {
         if (sharing_.tasks.size() != shares) {
@@ -90,7 +90,7 @@ template <class Real>
 void SubmeshExecutor<Real>::begin_step() {
     (void)step_timer_.lap();
     Executor<Real>::begin_step();
-    take_pools();
+    lend_pools();
     choose_threads();
     pool_.wake(threads_);
     profile_.clear();
@@ -102,7 +102,7 @@ void SubmeshExecutor<Real>::begin_step() {
     ++status_.steps_since_all;
 }
 
-// As many as have enough to do.
+// As many threads as have enough to do.
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
     const std::size_t size = this->interface_size();
@@ -112,8 +112,9 @@ void SubmeshExecutor<Real>::choose_threads() {
         std::clamp<std::size_t>(pay_off, 1, std::max<std::size_t>(first_colour_, 1)));
     threads_ = std::min(useful_threads_,
                         parallel_.always_all_threads ? parallel_.threads : choice_.threads());
-    // Ahead of their use, for a new thread takes milliseconds to get a core of its own; but none
-    // where the interface is far too short, for it would also delay the steps meanwhile.
+    // Threads are started before they are needed, since a new one takes milliseconds to get a core
+    // of its own; but not while the interface is far too short, since a start also delays the
+    // steps.
     const std::size_t soon = (size + size / 2) / share;
     pool_.start(static_cast<std::uint32_t>(std::min<std::size_t>(soon, parallel_.threads)));
 }
@@ -133,7 +134,7 @@ void SubmeshExecutor<Real>::divide() {
     partitioner_->divide({complex_, list, work_of(list), static_cast<double>(options_.edge_length)},
                          recut, partition_);
     make_parts(recut);
-    const std::uint32_t lost = recut == Recut::all ? hand_out(std::move(list)) : no_id;
+    const std::uint32_t lost = recut == Recut::all ? distribute_interface(std::move(list)) : no_id;
     connect();
     if (lost != no_id) { // the next step asks for another division
         throw InputError({.what = "the partition leaves out a vertex in its first colour",
@@ -208,9 +209,10 @@ void SubmeshExecutor<Real>::make_parts(Recut recut) {
     works_.push_back(&whole_);
 }
 
-// Returns a vertex that is in a gap of the partition, or no_id.
+// Distributes interface vertices to the submeshes. Returns a vertex in a gap of the partition, or
+// no_id.
 template <class Real>
-std::uint32_t SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
+std::uint32_t SubmeshExecutor<Real>::distribute_interface(std::vector<std::uint32_t> list) {
     whole_.interface.clear();
     if (parts_.empty()) {
         whole_.interface = std::move(list);
@@ -233,8 +235,8 @@ std::uint32_t SubmeshExecutor<Real>::hand_out(std::vector<std::uint32_t> list) {
     return lost;
 }
 
-// Tasks: a submesh waits for those of the colour before it that it meets. It then has exclusive
-// access to all it owns: it cannot reach anything that is in none of these.
+// Makes the tasks: a submesh waits for those of the colour before that it meets, and then has
+// exclusive access to all it owns.
 template <class Real>
 void SubmeshExecutor<Real>::connect() {
     targets_schedule_.tasks.clear();

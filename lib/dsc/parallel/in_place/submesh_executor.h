@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC (thesis, sections 6 and 8.10) in place: the submeshes of the first colour run
-// remeshing, movement and mesh update at the same time and hand on what their boundaries kept from
-// being done; a submesh of the next colour begins when those that it meets have ended; what all
-// colours left is done serially. The regions, the order within a submesh and the pools of ids do
-// not depend on threads: the result is the same to the bit for any number of them.
+// remeshing, movement and mesh update at the same time and defer what their boundaries prevent; a
+// submesh of the next colour begins when those that it meets have ended; what all colours defer is
+// done serially. The regions, the order within a submesh and the pools of ids do not depend on
+// threads: the result is bitwise identical for any number of them.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -21,11 +21,12 @@ template <class Real>
 class SubmeshExecutor final : public Executor<Real> {
 public:
     /// Divides the complex, lends its submeshes their ids and starts threads, so that the first
-    /// step costs no more than the others: O(n). Throws InputError if the options make no sense,
+    /// step costs no more than the others: O(n). Throws InputError if an option is out of range,
     /// and what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                     std::unique_ptr<Partitioner<Real>> partitioner, const Parallel& parallel);
-    /// Returns the ids that the submeshes hold, unless the complex has others by now.
+    /// Returns the ids that the submeshes hold, unless the complex has begun a new generation of
+    /// ids.
     ~SubmeshExecutor() override;
 
     void begin_step() override;
@@ -49,13 +50,13 @@ private:
     // Set-up.
     void divide();
     void make_parts(Recut recut);
-    [[nodiscard]] std::uint32_t hand_out(std::vector<std::uint32_t> list);
+    [[nodiscard]] std::uint32_t distribute_interface(std::vector<std::uint32_t> list);
     void connect();
     void make_room();
     [[nodiscard]] static std::size_t min_vertices(const Part& part);
     void refill(Part& part);
     [[nodiscard]] bool has_pools() const { return generation_ == complex_.ids.generation; }
-    void take_pools();
+    void lend_pools();
     void choose_threads();
     void give_back_surplus(Part& part);
     [[nodiscard]] std::uint32_t next_epochs();
@@ -63,17 +64,17 @@ private:
     void begin_part(Part& part);
     void targets_part(Part& part, std::size_t pass, const Flow<Real>& flow, Real time, Real dt);
     void move_part(std::size_t task);
-    void take_routed(Work<Real>& work, const DeferredQueue<Real>& queue, std::size_t task);
-    void take(Work<Real>& work, const Deferred<Real>& one);
+    void accept_routed(Work<Real>& work, const DeferredQueue<Real>& queue, std::size_t task);
+    void accept(Work<Real>& work, const Deferred<Real>& one);
     void route(Part& part);
     // Between and after them.
     TargetReport<Real> hand_over(const Flow<Real>& flow, Real time, Real dt);
     void unlist(std::span<const std::uint32_t> vertices);
-    void hand_out_resized();
-    void send_home();
+    void distribute_resized();
+    void route_to_owners();
     void clean_up(MoveReport& report);
     void put_back();
-    // Flows that see the interface: submesh_sight.cpp.
+    // Flows that depend on the interface: submesh_sight.cpp.
     TargetReport<Real> compute_targets_together(const Flow<Real>& flow, Real time, Real dt);
     void join_interface();
     void distribute_targets();
@@ -97,7 +98,7 @@ private:
 
     std::vector<std::unique_ptr<Part>> parts_;       // colour by colour; none: the whole is one
     std::uint64_t generation_ = 0;                   // of the complex's ids that lent their pools
-    std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their lists have room
+    std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their memory is reused
     std::size_t first_colour_ = 0;                   // parts of the first colour
     Schedule targets_schedule_;
     Schedule moving_;
@@ -105,10 +106,11 @@ private:
     ThreadPool pool_;
     ThreadChoice choice_;
     Timer step_timer_;
-    // The interface of all submeshes, one after the other, for flows that see it: such flows are
-    // evaluated, and the vertices integrated, all at once.
+    // The interface of all submeshes, one after the other, for flows that depend on it: such flows
+    // are evaluated, and the vertices integrated, all at once.
     Work<Real> joined_;
-    std::vector<std::size_t> ends_;     // in it, of each submesh and of the vertices in none
+    std::vector<std::size_t> ends_;     // the ends there of each submesh's part, and of the
+                                        // vertices in none
     std::vector<std::uint32_t> listed_; // scratch of hand_over
     std::vector<Point<double>> listed_places_;
     std::vector<std::size_t> kept_; // scratch of unlist

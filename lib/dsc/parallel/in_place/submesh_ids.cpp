@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ids that the complex lends to its submeshes, so that each can make vertices and triangles
-// without asking the others.
+// The ids that the complex lends to its submeshes, so that each can create vertices and triangles
+// independently.
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
@@ -13,9 +13,9 @@ constexpr std::size_t spare_vertices = 64;
 
 } // namespace
 
-// Pools of an earlier generation, or of an executor that has the complex no longer, are no use.
+// Lends a pool to each submesh, if the present ones are of an earlier generation.
 template <class Real>
-void SubmeshExecutor<Real>::take_pools() {
+void SubmeshExecutor<Real>::lend_pools() {
     if (has_pools()) {
         return;
     }
@@ -35,10 +35,9 @@ std::size_t SubmeshExecutor<Real>::min_vertices(const Part& part) {
                                                : spare_vertices + part.work.interface.size() / 2;
 }
 
-// Room for what the pools are about to take, for what they take when a longer interface has more
-// submeshes, and for a mesh that grows by half: to copy the arrays in a step would take as long as
-// ten steps. Room that is never used is never touched, and takes no memory. Beyond that the arrays
-// double, as vectors do.
+// Reserves room for the pools, for those of more submeshes as the interface grows, and for a mesh
+// that grows by half: copying the arrays in a step would take as long as ten steps. Room that is
+// never touched takes no memory. Beyond it the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
@@ -71,7 +70,7 @@ void SubmeshExecutor<Real>::refill(Part& part) {
     }
 }
 
-// As many as it would need if it took on several times its work.
+// Returns the ids beyond those that several times its present work would need.
 template <class Real>
 void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
     const std::size_t most = 4 * (spare_vertices + part.work.interface.size());
@@ -79,7 +78,7 @@ void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void SubmeshExecutor<Real>::take_pools();                                             \
+    template void SubmeshExecutor<Real>::lend_pools();                                             \
     template void SubmeshExecutor<Real>::give_back_surplus(Part&);                                 \
     template std::size_t SubmeshExecutor<Real>::min_vertices(const Part&);                         \
     template void SubmeshExecutor<Real>::make_room();                                              \

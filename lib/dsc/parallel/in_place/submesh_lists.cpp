@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Who has what: each vertex of the interface, and each star that has to be visited, is in the list
-// of the submesh that owns it.
+// Keeps each vertex of the interface, and each star that has to be visited, in the list of the
+// submesh that owns it.
 #include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
 
-// The submesh of the first colour; the first one, if an application's partition has a gap.
+// The submesh of the first colour that owns a vertex; submesh 0 if an application's partition has a
+// gap there.
 template <class Real>
 std::size_t SubmeshExecutor<Real>::owner_of(std::uint32_t vertex, std::size_t hint) const {
     const Point<double> place = place_of(vertex);
@@ -19,13 +20,12 @@ Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t vertex) {
     return parts_.empty() ? whole_ : parts_[owner_of(vertex)]->work;
 }
 
-// Vertices to be looked at because targets changed there: to the submeshes that own them by now. An
-// id may be in use elsewhere since it was noted, and its stamp is not to be written from there
-// then. O(their number): they are in the order of stars, so that the submesh of one is nearly
-// always that of the next.
+// Distributes the vertices to be visited because targets changed to the submeshes that own them
+// now: an id may have been reused elsewhere since, and only its owner may write its stamp. O(their
+// number), since consecutive vertices are nearly always in the same submesh.
 template <class Real>
-void SubmeshExecutor<Real>::hand_out_resized() {
-    std::vector<std::uint32_t>& list = whole_.resized; // no submesh, so that it may collect
+void SubmeshExecutor<Real>::distribute_resized() {
+    std::vector<std::uint32_t>& list = whole_.resized; // not a submesh: free to collect them
     for (const auto& part : parts_) {
         append(list, part->work.resized);
         part->work.resized.clear();
@@ -40,10 +40,11 @@ void SubmeshExecutor<Real>::hand_out_resized() {
     list.clear();
 }
 
-// Interface vertices in no list, and those that came into another submesh: they have targets by
-// now, move in the submesh that owns them, and are listed there when the sub-step is over.
+// Routes interface vertices that are in no list, and those that have entered another submesh, to
+// their owners. They have targets already, move in the owner's task, and are listed there when the
+// sub-step is over.
 template <class Real>
-void SubmeshExecutor<Real>::send_home() {
+void SubmeshExecutor<Real>::route_to_owners() {
     const auto to_owner = [this](Deferred<Real> one) {
         one.route = static_cast<std::uint32_t>(owner_of(one.vertex));
         whole_.deferred.entries.push_back(one);
@@ -61,8 +62,8 @@ void SubmeshExecutor<Real>::send_home() {
     whole_.interface.clear();
 }
 
-// A sub-step that did not come to its end: the stars that it was to look at are looked at in the
-// next one, and vertices that were on their way stay where they are.
+// After an unfinished sub-step: stars that it did not visit are visited in the next one, and moving
+// vertices stay where they are.
 template <class Real>
 void SubmeshExecutor<Real>::put_back() {
     std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
@@ -95,8 +96,8 @@ void SubmeshExecutor<Real>::put_back() {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::size_t SubmeshExecutor<Real>::owner_of(std::uint32_t, std::size_t) const;        \
     template Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t);                            \
-    template void SubmeshExecutor<Real>::hand_out_resized();                                       \
-    template void SubmeshExecutor<Real>::send_home();                                              \
+    template void SubmeshExecutor<Real>::distribute_resized();                                     \
+    template void SubmeshExecutor<Real>::route_to_owners();                                        \
     template void SubmeshExecutor<Real>::put_back();
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of the executor share: one submesh.
+// One submesh, as the executor's files share it.
 #pragma once
 
 #include "dsc/algorithm/interface_sight.h"
@@ -25,10 +25,10 @@ struct SubmeshExecutor<Real>::Part {
     double targets_s = 0; // of the last sub-step, if times are measured
     double move_s = 0;
 
-    // Room for so many vertices of the interface, and for the moving vertices and stars that come
-    // with them. Short lists of two submeshes next to each other on the heap would share cache
-    // lines, and the threads would contend for them at each push. Not much more than is filled,
-    // though: memory that is touched for the first time costs microseconds a page.
+    // Reserves room for this many vertices of the interface, and for the moving vertices and stars
+    // that come with them. Short lists of two submeshes next to each other on the heap would share
+    // cache lines, and the threads would contend for them at each push. It reserves little more
+    // than is filled: memory that is touched for the first time costs microseconds a page.
     void make_room(std::size_t vertices) {
         const auto reserve = [vertices](auto&... lists) { (lists.reserve(vertices), ...); };
         reserve(work.interface, work.interface_next, work.moving_vertices, work.active,

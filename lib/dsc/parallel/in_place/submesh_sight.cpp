@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Aiming by a flow that needs all of the interface: whenever it is asked, the interface vertices of
-// all submeshes have to be at the same stage, so they are integrated together. A flow that sees the
-// interface is evaluated submesh by submesh, in parallel; a velocity that is called for all at once
-// and a motion of the whole interface once.
+// Targets by flows that need the whole interface: at each call the interface vertices of all
+// submeshes must be at the same stage, so they are integrated together. An `InterfaceFlow` is
+// called submesh by submesh, in parallel; a `VelocityAtOnce` and an `InterfaceMotion` are called
+// once.
 #include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 
 namespace dsc {
 
-// Joins all lists once remeshing is over: those of the submeshes, and of what is on its way between
-// them.
+// Joins all lists after remeshing: those of the submeshes, and that of vertices changing submesh.
 template <class Real>
 void SubmeshExecutor<Real>::join_interface() {
     auto& list = joined_.interface;
@@ -37,7 +36,7 @@ TargetReport<Real> SubmeshExecutor<Real>::compute_targets_together(const Flow<Re
     return report;
 }
 
-// Back to the submeshes that have the vertices in their lists: `collect_moving_vertices` reads it
+// Copies the targets to the submeshes that list the vertices: `collect_moving_vertices` reads them
 // there.
 template <class Real>
 void SubmeshExecutor<Real>::distribute_targets() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step itself: what the submeshes do, what they hand on, and what is left at the end.
+// A step: the tasks of the submeshes, what they defer, and the serial work at the end.
 #include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 #include "dsc/passes/readers.h"
@@ -10,7 +10,7 @@ namespace dsc {
 
 // --- tasks -------------------------------------------------------------------------------------
 
-// Decides where the work goes that was deferred since the last call.
+// Routes the work deferred since the last call.
 template <class Real>
 void SubmeshExecutor<Real>::route(Part& part) {
     Work<Real>& work = part.work;
@@ -19,7 +19,7 @@ void SubmeshExecutor<Real>::route(Part& part) {
     for (; routed < entries.size(); ++routed) {
         Deferred<Real>& one = entries[routed];
         const Point<double> place = place_of(one.vertex);
-        // The submeshes that wait for this one do not know what has left it.
+        // A vertex that has left the region may be outside the submeshes that wait for this one.
         if (part.next == nullptr || !work.submesh.region.owns(one.vertex, place.x(), place.y())) {
             continue;
         }
@@ -30,7 +30,7 @@ void SubmeshExecutor<Real>::route(Part& part) {
     }
 }
 
-// Interface vertices that are no longer in the region belong to other submeshes.
+// Begins a sub-step of the submesh: defers interface vertices that are no longer in its region.
 template <class Real>
 void SubmeshExecutor<Real>::begin_part(Part& part) {
     part.work.deferred.clear();
@@ -62,7 +62,7 @@ void SubmeshExecutor<Real>::targets_part(Part& part, std::size_t pass, const Flo
     if (pass + 1 >= algorithm_.remeshing.size()) {
         if (flow.needs_all()) {
             part.targets = {};
-            part.drop_targets(); // until the whole interface can be seen
+            part.drop_targets(); // found later, for the whole interface at once
         } else {
             part.targets = targets_along(work, *flow.velocity(), time, dt);
         }
@@ -70,9 +70,10 @@ void SubmeshExecutor<Real>::targets_part(Part& part, std::size_t pass, const Flo
     part.targets_s += timer.lap();
 }
 
-// A star, or a vertex on its way; remeshing and lists have been seen to between the two sections.
+// Takes over a deferred star or moving vertex; deferred remeshing and listing were done between the
+// two sections.
 template <class Real>
-void SubmeshExecutor<Real>::take(Work<Real>& work, const Deferred<Real>& one) {
+void SubmeshExecutor<Real>::accept(Work<Real>& work, const Deferred<Real>& one) {
     if (one.kind == DeferredKind::moving_vertex) {
         work.moving_vertices.push_back(one.moving_vertex());
     } else if (one.kind == DeferredKind::star && complex_.is_alive(Vertex{one.vertex})) {
@@ -80,13 +81,13 @@ void SubmeshExecutor<Real>::take(Work<Real>& work, const Deferred<Real>& one) {
     }
 }
 
-// What was deferred for this submesh, by one that it waited for or in between the sections.
+// Takes over what was deferred to this task, by one that it waited for or between the sections.
 template <class Real>
-void SubmeshExecutor<Real>::take_routed(Work<Real>& work, const DeferredQueue<Real>& queue,
-                                        std::size_t task) {
+void SubmeshExecutor<Real>::accept_routed(Work<Real>& work, const DeferredQueue<Real>& queue,
+                                          std::size_t task) {
     for (const Deferred<Real>& one : queue.entries) {
         if (one.route == task) {
-            take(work, one);
+            accept(work, one);
         }
     }
 }
@@ -101,11 +102,11 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
     work.moving_vertices.clear();
     if (is_first) {
         part.moved.held = collect_moving_vertices(work);
-        take_routed(work, whole_.deferred, task);
+        accept_routed(work, whole_.deferred, task);
     } else {
         work.deferred.clear();
         for (const std::uint32_t earlier : moving_.tasks.predecessors(task)) {
-            take_routed(work, parts_[earlier]->work.deferred, task);
+            accept_routed(work, parts_[earlier]->work.deferred, task);
         }
     }
     std::uint32_t epoch = work.epoch;
@@ -113,7 +114,7 @@ void SubmeshExecutor<Real>::move_part(std::size_t task) {
         part.moved.passes = run_motion(work, algorithm_.motion, epoch);
     }
     // A vertex that is blocked here may find room once others have moved, unless it is in contact,
-    // or this submesh had all the room that there is.
+    // or the submesh is the whole mesh.
     if (!work.submesh.region.is_whole()) {
         std::erase_if(work.moving_vertices, [&](const auto& moving_vertex) {
             const bool may_find_room = !is_in_contact(complex_.vertices[moving_vertex.vertex]);
@@ -140,7 +141,7 @@ TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>& flow
     progress_ = Progress::under_way;
     whole_.time = time;
     whole_.dt = dt;
-    take_pools(); // a stage may have given the complex other ids
+    lend_pools(); // a stage may have given the complex other ids
     std::size_t number = 0;
     for (const Colour& colour : partition_.colours) {
         const std::uint32_t epoch = next_epochs();
@@ -151,7 +152,8 @@ TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>& flow
         }
     }
     const double set_up = timer.lap();
-    // A pass may move what the next one looks at across a boundary, so each has its own section.
+    // A pass may move vertices that the next one reads across a boundary, so each has its own
+    // section.
     const std::size_t sections = std::max<std::size_t>(algorithm_.remeshing.size(), 1);
     std::size_t pass = 0;
     const auto task = [&](std::size_t i) { targets_part(*parts_[i], pass, flow, time, dt); };
@@ -182,9 +184,9 @@ TargetReport<Real> SubmeshExecutor<Real>::compute_targets(const Flow<Real>& flow
     return report;
 }
 
-// What remeshing may not touch in any submesh, and vertices that have left theirs: they are few and
-// handled here. Those that are new to a submesh get their targets here as well, and listed when the
-// sub-step is over.
+// Handles vertices that no submesh may remesh, and those that have left their submesh; they are
+// few. Vertices that are new to a submesh get their targets here as well, and are listed there when
+// the sub-step is over.
 template <class Real>
 TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real time, Real dt) {
     whole_.interface.clear();
@@ -196,7 +198,7 @@ TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real
                 listed_.push_back(one.vertex);
             } else if (one.kind == DeferredKind::listing &&
                        std::ranges::count(home_of(one.vertex).changed_interface, one.vertex) == 0) {
-                whole_.interface.push_back(one.vertex); // no pass has listed it where it is now
+                whole_.interface.push_back(one.vertex); // no pass has listed it in its new submesh
             }
         }
     }
@@ -212,9 +214,9 @@ TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real
     }
     whole_.epoch = this->new_stamp();
     this->keep_up_whole();
-    // Listed vertices that are still there stay listed; the others are new in some submesh. A
-    // vertex that is elsewhere under the same id is a new one, which got the id of a deleted one.
-    // Any other that a pass of an application has changed is listed in the whole by now.
+    // Listed vertices that still exist stay listed; the others are new to a submesh. A vertex that
+    // lies elsewhere under the same id is a new one that reuses the id. Any other that a pass of an
+    // application has changed is listed in the whole by now.
     std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of remeshing
     assign(there, whole_.interface);
     std::ranges::sort(there);
@@ -239,8 +241,8 @@ TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real
                             : targets_along(whole_, *flow.velocity(), time, dt);
 }
 
-// Removes vertices (ascending) from the lists that have them, together with their targets.
-// O(interface vertices, times the logarithm of their number), if there are any.
+// Removes vertices (ascending) from the lists that have them, together with their targets. O(n log
+// n) in the interface vertices, unless `vertices` is empty.
 template <class Real>
 void SubmeshExecutor<Real>::unlist(std::span<const std::uint32_t> vertices) {
     for (std::size_t i = 0; i < first_colour_ && !vertices.empty(); ++i) {
@@ -299,8 +301,8 @@ MoveReport SubmeshExecutor<Real>::move() {
     Timer timer(parallel_.profile);
     MoveReport report;
     report.held = this->begin_movement();
-    send_home();
-    hand_out_resized(); // also where all edges are of one length: perhaps since a moment ago
+    route_to_owners();
+    distribute_resized(); // also if sizes are uniform: they may have become so just now
     const double hand_over = timer.lap();
     moving_.run(pool_, threads_, parallel_.assignment,
                 [this](std::size_t task) { move_part(task); });
@@ -324,7 +326,7 @@ MoveReport SubmeshExecutor<Real>::move() {
     return report;
 }
 
-// What all colours left, and nobody else may have to do.
+// Processes serially what every colour deferred.
 template <class Real>
 void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
     for (const Deferred<Real>& one : whole_.deferred.entries) {
@@ -339,7 +341,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         const bool is_last = i >= last_colour;
         for (const Deferred<Real>& one : parts_[i]->work.deferred.entries) {
             if (is_last || one.route == Deferred<Real>::nowhere) {
-                take(whole_, one);
+                accept(whole_, one);
             }
         }
     }
@@ -348,7 +350,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         report.passes = std::max(report.passes, rest.passes);
         report.unreached += rest.unreached;
     }
-    // A stage may set free those that did not arrive.
+    // A stage may unblock those that did not arrive.
     for (const auto& part : parts_) {
         std::vector<MovingVertex<Real>>& missed = part->work.moving_vertices;
         append(whole_.moving_vertices, missed);

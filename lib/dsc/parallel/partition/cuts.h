@@ -8,7 +8,7 @@ namespace dsc {
 
 /// How boxes of sites are cut.
 struct CutRules {
-    double band = 0;             ///< a site nearer to a cut than this is done by two colours
+    double band = 0;             ///< a site nearer to a cut than this is handled by two colours
     double min_width = 0;        ///< of the sites' extent, on either side of a cut
     std::uint32_t min_sites = 1; ///< on either side
     double tolerance = 0.12;     ///< a share may be off by this fraction of the whole

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The interface for submeshing (thesis, section 6): the way in which the mesh is divided is one
-// object, which an application can replace; and the library's ways. A partition has colours
-// (thesis, section 6.1); the regions of one colour are disjoint and run at the same time; what the
-// boundaries of one colour kept from being done is handed to the next, and what all of them left is
-// done serially.
+// Submeshing (thesis, section 6): the object that divides the mesh, which an application can
+// replace; and the library's own division into cells. A partition has colours (thesis, section
+// 6.1); the regions of one colour are disjoint and run at the same time; what the boundaries of one
+// colour prevent is deferred to the next, and what all colours defer is done serially.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -37,7 +36,7 @@ struct Partition {
     std::vector<Colour> colours; ///< at least one
 };
 
-/// When to divide anew.
+/// Which colours to divide again.
 enum class Recut : std::uint8_t {
     none,
     later, ///< the colours after the first; the interface lists of the submeshes stay
@@ -68,14 +67,14 @@ public:
 
     /// Whether the partition in force is to be replaced before the next step.
     [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
-    /// Divides; regions may point to what the partitioner holds. Must not depend on threads.
+    /// Divides; regions may refer to data of the partitioner. Must not depend on threads.
     virtual void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) = 0;
-    /// What it remembers from one division to the next (base/archive.h); nothing by default.
+    /// Archives what it keeps from one division to the next (base/archive.h); nothing by default.
     virtual void archive(Archive& /*archive*/) {}
 };
 
-/// Throws InputError for a region that an application's function or a list of labels defines: there
-/// are no bytes for either. Boxes of any frame have bytes.
+/// Throws InputError for a region that an application's function or a list of labels defines, which
+/// cannot be archived. Boxes of any frame can.
 void archive(Archive& archive, Region& region);
 void archive(Archive& archive, Colour& colour);
 void archive(Archive& archive, Partition& partition);
@@ -115,7 +114,7 @@ struct Site {
 template <class Real>
 class CellPartitioner final : public Partitioner<Real> {
 public:
-    /// Throws InputError if the options make no sense.
+    /// Throws InputError if an option is out of range.
     explicit CellPartitioner(const CellOptions& options);
     /// The first colour every `recut` steps, the later ones every `recut_later`.
     [[nodiscard]] Recut is_due(const PartitionStatus& status) const override;

@@ -8,10 +8,10 @@ namespace {
 constexpr std::uint32_t steps_of_a_try = 4;
 constexpr std::uint32_t min_pause = 16;
 constexpr std::uint32_t max_pause = 2048;
-/// Where other programs run, a few steps take ten times as long as the others, and what counts is
-/// the mean of many.
+/// Beside other programs, a few steps take ten times as long as the others: only a mean of many is
+/// reliable.
 constexpr std::uint32_t steps_of_a_mean = 32;
-/// No single step counts for more than so many others.
+/// A single step counts for at most this many others.
 constexpr double max_share_of_step = 4;
 /// A try that takes so much longer than the steps before ends at once.
 constexpr double hopeless = 1.15;
@@ -22,7 +22,7 @@ constexpr double worthwhile = 0.97;
 
 } // namespace
 
-// At first all threads; later fewer and more of them by turns, where there are both.
+// All threads at first; later fewer and more threads alternately, where both are possible.
 ThreadChoice::Level ThreadChoice::next_try() {
     if (settled_ == 0) {
         return 0;
@@ -38,7 +38,7 @@ void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
         return;
     }
     if (useful <= 1) {
-        *this = ThreadChoice(max_); // noise alone would have chosen
+        *this = ThreadChoice(max_); // else noise would choose
         return;
     }
     if (warm_up_ > 0) {

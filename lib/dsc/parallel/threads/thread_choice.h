@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How many threads a step uses, by what steps have taken. The result of a step does not depend on
-// it, so it may be measured: a short interface does not pay for a second thread, and neither does a
-// machine on which another program has the second core.
+// Chooses the number of threads by measured times of steps, which is allowed because results do not
+// depend on it. A second thread does not pay off for a short interface, or while another program
+// occupies the second core.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace dsc {
 
 /// Begins with one thread, then tries all that are allowed, and later half or twice as many now and
-/// then, for a few steps. The number that takes less time for the same work stays. Tries that
+/// then, for a few steps. The number that takes less time for the same work is kept. Tries that
 /// change nothing become rarer, down to four in two thousand steps. O(1) for each step.
 class ThreadChoice {
 public:
@@ -23,9 +23,9 @@ public:
 
     /// The threads for the next step.
     [[nodiscard]] std::uint32_t threads() const { return std::max(max_ >> now_, 1U); }
-    /// What that step took, in seconds, for its work: in any unit, if always the same. `useful`: so
-    /// many threads had anything to do in it, whatever was chosen; with one there was no choice,
-    /// and the next step that has one begins anew.
+    /// Reports the time of that step, in seconds, and its work, always in the same unit. `useful`:
+    /// the number of threads that had enough to do, whatever was chosen. With 1 there was no
+    /// choice, and the next step that has a choice starts afresh.
     void took(double seconds, double work, std::uint32_t useful);
 
 private:

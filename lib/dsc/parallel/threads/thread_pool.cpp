@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t is_open = 1;
 constexpr std::uint32_t one_inside = 2;
 
-/// Looks at the bell between two looks at the clock: a few microseconds.
+/// Reads of the bell between two reads of the clock: a few microseconds.
 constexpr int looks = 64;
 
 // Where threads run. A thread that has just been started is often on the core of the one that
@@ -29,7 +29,8 @@ constexpr int looks = 64;
 
 #if defined(__linux__)
 
-/// The core that the calling thread is on at this moment; -1 where the system does not tell.
+/// The core that the calling thread is on at this moment; -1 if the system does not support the
+/// query.
 int current_core() { return sched_getcpu(); }
 
 /// Moves the calling thread off this core: to the `number`th of the others that it is allowed to
@@ -87,7 +88,7 @@ void use_cores(const std::vector<int>& /*cores*/) {}
 /// may then be confined to one of them, and a thread that it starts would be too. Empty if not.
 std::vector<int> cores_of_openmp() {
     std::vector<int> cores;
-    // The variable first: to ask OpenMP is to start it.
+    // Tests the variable first, since a query starts OpenMP.
     if (std::getenv("OMP_PROC_BIND") == nullptr || // NOLINT: nobody here sets variables
         omp_get_proc_bind() == omp_proc_bind_false) {
         return cores;
@@ -207,7 +208,7 @@ void ThreadPool::serve(std::uint32_t thread, Worker& worker) {
     }
 }
 
-// Off the core of the caller, which would otherwise have to wait while the worker does.
+// Moves a worker off the caller's core, where it would delay the caller.
 void ThreadPool::stay_apart(const Worker& worker) const {
     const int core = callers_core_.load(std::memory_order_relaxed);
     if (core >= 0 && core == current_core()) {

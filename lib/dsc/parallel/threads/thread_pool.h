@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Threads that are there when a parallel section begins. A section of a step lasts tens of
-// microseconds, and an application works between two steps for longer than OpenMP's threads stay
-// awake; to wake one that sleeps takes as long as the section. So workers wait awake for a time
-// that can be set, and a section never waits for a worker that comes late: it ends when its work is
-// done, whoever did it.
+// Threads that are ready when a parallel section begins. A section of a step lasts tens of
+// microseconds, and waking a thread takes as long; OpenMP's threads fall asleep while the
+// application works between two steps. So workers wait awake for a time that can be set, and a
+// section never waits for a late worker: it ends when its work is done, by whichever threads.
 #pragma once
 
 #include "dsc/parallel/parallel.h"
@@ -44,9 +43,9 @@ private:
     int turns_ = 0;
 };
 
-/// How long workers wait awake for the next section before they sleep, if nothing else is said: 2
-/// milliseconds; nothing if the environment variable OMP_WAIT_POLICY is `passive`, as on machines
-/// whose cores are shared.
+/// How long workers wait awake for the next section before they sleep, by default: 2 milliseconds;
+/// 0 if the environment variable OMP_WAIT_POLICY is `passive`, as on machines whose cores are
+/// shared.
 [[nodiscard]] std::chrono::microseconds default_awake_time();
 
 /// The caller and its workers. Sections of one pool are run one after the other, by one caller.
@@ -70,7 +69,7 @@ public:
     /// Adds to the caller's or a worker's own share of it; to be called by that thread in a
     /// section.
     void add_busy(std::uint32_t thread, double seconds) { done_.busy_s[thread] += seconds; }
-    /// Adds a section that the caller has worked off by itself.
+    /// Adds a section that the caller ran alone.
     void add_section_alone(double seconds) {
         done_.sections_s += seconds;
         add_busy(0, seconds);
@@ -80,10 +79,10 @@ public:
     void wake(std::uint32_t threads);
 
     /// Calls `work(thread)`, with 0 in the caller and with 1, 2, ... in those workers that come
-    /// before the caller's own call has returned. Returns when all of these calls have. So the work
-    /// has to be shared out in such a way that any of the threads can do it, or the caller's call
-    /// has to wait for the others. `work` must not throw. No allocation; callers pass functions by
-    /// `std::cref`, so that to make a std::function of them takes none either.
+    /// before the caller's own call has returned. Returns when all of these calls have. So either
+    /// any thread must be able to do all of the work, or the caller's call must wait for the
+    /// others. `work` must not throw. No allocation; callers pass functions by `std::cref`, so that
+    /// to make a std::function of them takes none either.
     void run(std::uint32_t threads, const std::function<void(std::uint32_t thread)>& work);
 
 private:

@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// Whether a cubic may pass through `at`: it must not be a corner, nor turn by a right angle or
+/// Whether a cubic may pass through `at`: it must not be a feature, nor turn by a right angle or
 /// more, which a polynomial in chord length cannot follow.
 template <class Real>
 bool is_smooth(const Complex<Real>& complex, std::uint32_t vertex, const Point<Real>& from,

@@ -107,7 +107,8 @@ class Turns {
 public:
     Turns(const Complex<Real>& complex, Real arc) : complex_(complex), arc_(arc) {}
 
-    // Where the curve turns by more than the angle of this cosine, and most sharply within the arc.
+    // Whether the curve turns by more than the angle of this cosine, and most sharply within the
+    // arc.
     bool is_feature(std::uint32_t v, Real cosine) {
         near_.clear();
         const auto ends = arc_ends(v, &near_);
@@ -136,7 +137,7 @@ public:
 private:
     using Ends = std::array<Point<Real>, 2>;
 
-    // Of a vertex of one curve, in the order of `arc_ends`.
+    // The turn at a vertex of one curve, in the direction of `arc_ends`.
     Real turn_at(std::uint32_t v) {
         (void)gather(complex_, Region{}, v, star_);
         const IncidentEdges incident = interface_edges_of(star_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The vertices that a flow moves: those of the interface, derived from the phases (thesis, section
-// 8.6), and those inside the phases that are advected (`Options::advected_phases`). And which
-// of the interface are corners.
+// 8.6), and those inside the phases that are advected (`Options::advected_phases`). Also finds the
+// features of the interface.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -21,19 +21,19 @@ template <class Real>
 std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex);
 
 /// Restores the order along the curve in a list of interface vertices, starting at its first
-/// vertex. O(list). Uses the stamps, of which `epoch` and epoch + 1 must not be in use.
+/// vertex. O(list). Uses the stamps `epoch` and epoch + 1, which no vertex may have before.
 template <class Real>
 void order_interface(Complex<Real>& complex, std::vector<std::uint32_t>& list, std::uint32_t epoch);
 
-/// The turn of a curve is measured between chords of arcs of this share of the edge length: what
-/// is finer is no feature at the scale of the mesh.
+/// The turn of a curve is measured between chords of arcs of this share of the edge length: finer
+/// detail is no feature at the scale of the mesh.
 inline constexpr double feature_arc = 0.2;
 
-/// Marks as corners those interface vertices of `list` at which the curve turns by more than
+/// Marks as features those interface vertices of `list` at which the curve turns by more than
 /// `degrees`, measured over arcs of at least this length on both sides; of several on one arc, the
-/// one with the sharpest turn, or all at the blunt end of a strip. Marks are permanent: a corner
-/// that a flow opens stays a corner, and a tip that becomes sharp later does not become one.
-/// O(list) where edges are no shorter than the arc.
+/// one with the sharpest turn, or all at the blunt end of a strip. Marks are permanent: a feature
+/// whose angle opens stays one, and a tip that becomes sharp later does not become one. O(list)
+/// where edges are no shorter than the arc.
 template <class Real>
 void mark_features(Complex<Real>& complex, const std::vector<std::uint32_t>& list, double degrees,
                    Real arc);
@@ -44,8 +44,8 @@ template <class Real>
 [[nodiscard]] bool is_advected(const Complex<Real>& complex, std::span<const Phase> phases,
                                Vertex vertex);
 
-/// All of them: the interface curve by curve, then the others by id; shuffled as the options say.
-/// O(n), once at the start.
+/// All vertices that a flow moves: the interface curve by curve, then the others by id; shuffled if
+/// the options say so. O(n), once at the start.
 template <class Real>
 [[nodiscard]] std::vector<std::uint32_t> collect_moved(const Complex<Real>& complex,
                                                        const Options<Real>& options);

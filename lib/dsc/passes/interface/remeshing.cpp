@@ -33,8 +33,8 @@ public:
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // A side of the domain edge ahead that is shorter than a sub-step blocks the motion. A
-          // poor triangle for a while is better than one that cannot move.
+          // A boundary edge ahead that is shorter than a sub-step blocks the motion. A poor
+          // triangle for a while is better than a blocked vertex.
           boundary_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
                     square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
 
@@ -81,8 +81,8 @@ private:
         }
         const IncidentEdges incident = interface_edges_of(star);
         if (!star.owned) {
-            // Nobody rewrites the triangles that straddle two submeshes, or moves their vertices:
-            // what there is to do can be seen from here, except beyond the link, as for a gap.
+            // Triangles that straddle two submeshes do not change now, so that the star shows
+            // whether an edit is needed; only a gap depends on what lies beyond the link.
             if (gap_squared_ > 0 || should_collapse(star, incident) ||
                 long_edge(star, incident) != no_id || wants_boundary_remeshing(star)) {
                 work_.deferred.remeshing(v);
@@ -132,9 +132,8 @@ private:
                 share * boundary_.blocking};
     }
 
-    // A short boundary edge goes, even where the edge that is left is so long that it is split
-    // again, if it is in the way of the end of a curve, or of a vertex that slides into a corner of
-    // the domain.
+    // A short boundary edge that blocks the end of a curve, or a vertex that slides into a corner
+    // of the domain, is collapsed even if the merged edge is so long that it is split again.
     bool may_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& boundary) {
         if (!should_collapse_on_boundary(star, boundary)) {
             return false;
@@ -152,8 +151,8 @@ private:
                                                    link_point(end, end.size)) != 0;
     }
 
-    // The star at the other end of an incident edge, in `other_star`. False if it cannot be seen
-    // from here.
+    // Gathers the star at the other end of an incident edge into `other_star`. False if that fails,
+    // or if another submesh owns part of it; the centre is then deferred.
     bool see_end(const Star<Real>& star, std::uint32_t incident_edge) {
         Star<Real>& end = work_.other_star;
         const bool gathered = gather(complex_, work_.submesh.region, star.link[incident_edge], end);
@@ -164,7 +163,7 @@ private:
         return gathered;
     }
 
-    // True if the star is stale; the vertices to be kept in the list have then been put there.
+    // True if the star is stale after an edit; the vertices to be kept are then in the list.
     bool keep_boundary(std::uint32_t v, const Star<Real>& star) {
         const BoundaryLimits<Real> boundary = boundary_at(star);
         if (may_collapse_on_boundary(star, boundary) &&
@@ -215,8 +214,8 @@ private:
     }
 
     // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary.
-    // If such an end moves along the curve, the centre is in its way and has to go, even if the
-    // merged edge is then so long that it is split again.
+    // If such an end moves along the curve, the centre blocks it and is collapsed, even if the
+    // merged edge is so long that it is split again.
     bool is_ahead_of_end(const Star<Real>& star, const IncidentEdges& incident) {
         const Point<Real> p(star.x0, star.y0);
         const bool is_first = squared_distance(p, link_point(star, incident.first)) <
@@ -228,7 +227,8 @@ private:
         return !end.closed || interface_edges_of(end).count != 2;
     }
 
-    // Squared distance of the centre from the curve without it; 0 if only another submesh sees it.
+    // Squared distance of the centre from the curve without it; 0 if that curve reaches into
+    // another submesh.
     Real squared_deviation(const Star<Real>& star, const IncidentEdges& incident) {
         const Point<Real> p(star.x0, star.y0);
         CurveNeighbours<Real> curve;
@@ -240,7 +240,7 @@ private:
             const Real area = cross<Real>(chord, offset);
             return area * area / chord.squaredNorm();
         }
-        // The cubic over the gap, at the share of the chord length at which the centre was.
+        // The cubic without the centre, at the centre's share of the chord length.
         const Real before = (p - curve.p1).norm();
         const Real share = before / (before + (curve.p2 - p).norm());
         if (!see_past(star, incident.first, curve.p0, curve.has_first) ||
@@ -252,8 +252,8 @@ private:
         return across * across / chord.squaredNorm();
     }
 
-    // The vertex that follows the one at the end of an incident edge, away from the centre. False
-    // if only another submesh can see its star.
+    // The vertex of the curve beyond the end of an incident edge. False if another submesh owns
+    // part of the star of that end.
     bool see_past(const Star<Real>& star, std::uint32_t incident_edge, Point<Real>& next,
                   bool& has_next) {
         Star<Real>& beyond = work_.other_star;
@@ -335,8 +335,8 @@ private:
         return found;
     }
 
-    // Splits at most one edge, because the star is stale then; the other edges of a junction wait
-    // for the next step. True if it has.
+    // Splits at most one edge, because the star is stale afterwards; the other edges of a junction
+    // wait for the next step. Returns whether it split one.
     bool refine(std::uint32_t v, Star<Real>& star, const IncidentEdges& incident) {
         newest_ = no_id;
         if (const std::uint32_t i = long_edge(star, incident);

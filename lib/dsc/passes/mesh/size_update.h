@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Keeps the targets of edges up to date as the mesh update visits stars: a target that has changed
-// is stored, and those neighbours that it concerns are visited in the next pass. So a change goes
-// from star to star, a star in a pass, and no further than it matters. Flips and smoothing nearby
-// may change what a target should be without a visit; the slow sweep of `Simulation` finds those.
-// Only owned stars are read and written: the result does not depend on the threads.
+// Keeps the targets of edges up to date as the mesh update visits stars: a changed target is
+// stored, and the neighbours that it affects are visited in the next pass. A change thus spreads by
+// one star per pass, and no farther than it matters. Flips and smoothing nearby may change what a
+// target should be without a visit; the slow sweep of `Simulation` finds those. Only owned stars
+// are read and written: the result does not depend on the threads.
 #pragma once
 
 #include "dsc/complex/ranges.h"
@@ -44,9 +44,8 @@ public:
         return is_uniform() ? work_.options.edge_length : (*field_)[Vertex{v}].length;
     }
 
-    /// To be called when the centre has been removed: its link is visited in the next pass, since
-    /// this one may have visited it already. Coarsening goes on until no vertex is left to be
-    /// removed.
+    /// Call after removing the centre: its link is visited in the next pass, since this one may
+    /// have visited it already. Coarsening thus continues until no vertex needs to be removed.
     void look_again(const Star<Real>& star) {
         if (!is_uniform()) {
             work_.resized.insert(work_.resized.end(), star.link.begin(),
@@ -59,7 +58,7 @@ private:
     [[gnu::noinline]] Real follow_star(const Star<Real>& star) {
         VertexSize<Real>& stored = (*field_)[Vertex{star.vertex}];
         if (rule_.is_finest(star) && stored.length == work_.options.edge_length) {
-            return stored.length; // as nearly all of them
+            return stored.length; // the usual case
         }
         const auto& data = field_->data();
         if (rule_.stays(star, data, stored.length, work_.time)) {
@@ -68,8 +67,9 @@ private:
         const VertexSize<Real> now = rule_.at(star, data, work_.time);
         const Real change = rule_.slack() * std::min(now.length, stored.length);
         const bool is_nearer = std::abs(now.distance - stored.distance) > change;
-        // A lowest one that is not there by itself is left over from where the interface was: if it
-        // waited for more than the slack, it might wait for ever.
+        // A target below all its neighbours', without an interface nearby, is stale: the interface
+        // has moved on. Raise it at once; the slack applies only to targets that something still
+        // supports.
         const bool is_left_over =
             now.length > stored.length &&
             std::none_of(star.link.begin(), star.link.begin() + star.link_size(),
@@ -86,10 +86,10 @@ private:
         for (std::uint32_t i = 0; i < star.link_size(); ++i) {
             const Real rise = rule_.slope() * std::sqrt(star.squared_edge(i));
             const Real theirs = at(star.link[i]);
-            // It falls with this one...
+            // The neighbour's target falls with this one...
             const bool falls = theirs > (now + rise) * (1 + rule_.slack());
-            // ...or was held down by it, along the edge or at less than 60 degrees to it, and may
-            // have been lower than that by the slack.
+            // ...or the old one limited it, along the edge or at less than 60 degrees to it, up to
+            // the slack.
             const bool rises = now > old && theirs * (1 + rule_.slack()) > old + Real(0.5) * rise;
             if (all || falls || rises) {
                 work_.resized.push_back(star.link[i]);

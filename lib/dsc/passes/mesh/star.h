@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the mesh update asks of a star: the thresholds of its phase, at the target length of edges
-// there; the edges to be split where triangles are needles; and what a collapse would leave behind.
+// What the mesh update needs to know of a star: the thresholds of its phase, at the target length
+// of edges there; the edges to be split where triangles are needles; and the triangles after a
+// collapse.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -27,9 +28,9 @@ template <class Real>
 StarLimits<Real> star_limits(const Options<Real>& options, Phase phase, Real length) {
     const PhaseThresholds& t = options.thresholds(phase);
     const auto square = [](Real value) { return value * value; };
-    // The target grows along an edge that leads away from the interface: at the middle of one as
-    // long as the threshold allows it is longer by this factor. Measured against the shorter target
-    // of its ends alone, edges would be split and collapsed twice as often as they need.
+    // The target grows along an edge that leads away from the interface: at the middle of the
+    // longest edge allowed it is larger by this factor. If only the smaller target of its ends
+    // counted, edges would be split and collapsed twice as often as necessary.
     const double growth = options.sizes.growth > 0 ? options.sizes.growth : 1;
     const double stretch = 1 + 0.5 * t.longest * (growth - 1);
     return {square(static_cast<Real>(t.collapse_quality)),
@@ -81,8 +82,8 @@ NeedleEdge needle_edge(const Star<Real>& star, Real grading_squared) {
     return found;
 }
 
-/// The longest edge, squared, from link vertex i to the others: that of its triangles after the
-/// centre has gone there. O(degree).
+/// The longest edge, squared, from link vertex i to the others: that of the triangles after the
+/// centre is collapsed into vertex i. O(degree).
 template <class Real>
 Real longest_after_collapse(const Star<Real>& star, std::uint32_t i) {
     Real longest = 0;
@@ -110,12 +111,12 @@ bool keeps_grading(const Complex<Real>& complex, const Star<Real>& star, Real gr
         if (across == star.phase[j] || across == border_phase) {
             continue;
         }
-        // The apex over this edge: i, or beyond it where i is one of its ends.
+        // The apex over this edge: i, or the next vertex of the link where i is one of its ends.
         const std::uint32_t end = j + 1 == n ? 0 : j + 1;
         const std::uint32_t apex = i == j     ? (end + 1 == n ? 0 : end + 1)
                                    : i == end ? (j == 0 ? n - 1 : j - 1)
                                               : i;
-        // Some slack, so that a collapse and a split do not take turns.
+        // Some slack, so that collapses and splits do not alternate.
         const Real allowed = Real(0.8) * grading_squared *
                              squared(star.x_next[j] - star.x[j], star.y_next[j] - star.y[j]);
         if (squared(star.x[apex] - star.x[j], star.y[apex] - star.y[j]) > allowed ||

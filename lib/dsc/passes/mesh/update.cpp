@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t max_flips_at_once = 4096;
 /// Rounds at one vertex: flips and splits change its star, so it is gathered again.
 constexpr int max_turns = 6;
-/// Of the shortest edge, squared: what stops a vertex that moves along a side of the domain. Each
-/// pass halves the edge before it, so that the exact share does not matter.
+/// Squared share of the shortest edge: boundary edges below it block vertices that move along the
+/// domain boundary. Each pass halves the edge ahead, so that the exact share does not matter.
 constexpr auto blocking_squared = 0.01F;
 
 template <class Real>
@@ -41,7 +41,7 @@ public:
     // Updates the star of a vertex. A vertex that has been removed has none. Its id may be in use
     // again elsewhere, so its position is checked before anything else.
     void visit(std::uint32_t v) {
-        Real length = 0; // the target, followed once in a visit
+        Real length = 0; // the target, updated once per visit
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
                 list_unexamined(v);
@@ -65,7 +65,7 @@ public:
             const bool may_move = star_.one_phase && star_.closed && !complex_.is_locked(Vertex{v});
             if (may_move) {
                 const bool poor = report.quality < limit.collapse;
-                // A vertex on its way must keep its id: `moving_vertices` refers to it.
+                // A moving vertex must keep its id: `moving_vertices` refers to it.
                 const bool has_arrived = (complex_.vertices[v].flags & vertex_on_way) == 0;
                 if (has_arrived &&
                     (poor || report.shortest < limit.shortest || report.longest < limit.crowded) &&
@@ -104,8 +104,9 @@ public:
     }
 
     // Visits the active set, to which vertices created on the way are appended: splits halve
-    // lengths, so this terminates. Where much has to change, the next pass goes on: with stars that
-    // had no room in this one, and with those that are still, or by flips again, far too long.
+    // lengths, so this terminates. Where much has to change, the next pass continues: with stars
+    // beyond the bound of this one, and with those whose edges are still far too long, or have
+    // become so by flips.
     void run() {
         std::vector<std::uint32_t>& active = work_.active;
         const std::size_t bound = 8 * active.size() + 64;
@@ -144,9 +145,9 @@ private:
         return gathered && star_.owned;
     }
 
-    // --- what is told to who watches the quality ----------------------------------------------
-    // After the last edit of a star that this pass makes: of a triangle that changes later, another
-    // vertex is listed.
+    // --- stars listed for `watch_quality` ---------------------------------------------- Called
+    // after the last edit of a star in this pass. If one of its triangles changes later, another
+    // vertex of the triangle is listed.
     void list_if_poor(std::uint32_t v, Real quality) {
         if (static_cast<double>(quality) <= work_.watched_quality) [[unlikely]] {
             work_.poor.push_back(v);
@@ -167,8 +168,8 @@ private:
         return work_.log.counts.flips != before;
     }
 
-    // The edges of the star's triangles, after its centre moved: data that the star holds are not
-    // looked up again, and only edges that fail are put on the list.
+    // The edges of the star's triangles, after its centre moved: reuses the data of the star, and
+    // lists only the edges that fail.
     void continue_edges() {
         work_.candidates.clear();
         (void)examine(star_, margins_);
@@ -200,7 +201,8 @@ private:
         while (!candidates.empty()) {
             const Corner c = candidates.back();
             candidates.pop_back();
-            // Its triangle is of an owned star, or of a flip there: owned, if it is alive.
+            // Its triangle belongs to an owned star, or to a flip in one: it is owned if it is
+            // alive.
             const TriangleRecord& near = complex_.triangles[triangle_of(c)];
             if (near.v[0] == no_id) {
                 continue;
@@ -248,8 +250,7 @@ private:
             // Degree three: the link is the triangle that will remain.
             return star_.size == 3 && finish_collapse(0);
         }
-        // A short incident edge may cost quality, down to where the star would be collapsed for
-        // that.
+        // Removing a short edge may lower the quality, down to the threshold of a collapse.
         const bool is_short = report.shortest < limit.shortest || report.longest < limit.crowded;
         Real best = is_short ? std::min(report.quality, limit.collapse) : report.quality;
         std::uint32_t best_edge = no_id;
@@ -296,7 +297,7 @@ private:
 
     BoundaryRemeshing keep_boundary(std::uint32_t v, const StarReport<Real>& report, Real length) {
         const bool is_exterior_first = star_.phase[0] == exterior_phase;
-        // Edges of one length need no look from their other end.
+        // With uniform sizes, an edge need not be tested from its other end.
         const bool is_exterior_last =
             !sizes_.is_uniform() && star_.phase[star_.size - 1] == exterior_phase;
         if (!is_exterior_first && !is_exterior_last) {
@@ -429,7 +430,7 @@ private:
     Real grading_squared_;
     // Squared quality of a needle with a base of 1 and legs of the grading; 0: none are split.
     Real needle_;
-    // One phase is like another, and all edges have one length: the same limits everywhere.
+    // Uniform sizes and no per-phase thresholds: the limits are the same for every star.
     bool limits_are_fixed_;
     Limits limits_;                     // of the star that is being visited
     IncidentEdgeMargins<Real> margins_; // of the star that was examined last
