@@ -32,7 +32,7 @@ std::string name_of(const PairCurvature& pair) {
 
 void check_forces(double tension, double mobility, const std::string& whose) {
     if (!std::isfinite(tension) || tension < 0) {
-        refuse_forces("tension of " + whose + " is not an energy", to_text(tension),
+        refuse_forces("tension of " + whose + " is out of range", to_text(tension),
                       "finite and 0 or more");
     }
     if (!std::isfinite(mobility) || !(mobility > 0)) {
@@ -59,7 +59,7 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
     std::ranges::sort(options.walls, {}, &WallEnergy::phase);
     for (const WallEnergy& wall : options.walls) {
         if (wall.phase == border_phase || !std::isfinite(wall.energy)) {
-            refuse_forces("not an energy of the wall under phase " + std::to_string(wall.phase),
+            refuse_forces("invalid energy of the wall under phase " + std::to_string(wall.phase),
                           to_text(wall.energy), "a finite energy under a phase of the domain");
         }
     }
@@ -75,7 +75,8 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
                           "a phase of the domain other than the exterior");
         }
         if (!std::isfinite(kept.area) || !(kept.area > 0)) {
-            refuse_forces("not an area to be kept", to_text(kept.area), "finite and above 0");
+            refuse_forces("the area to be kept is out of range", to_text(kept.area),
+                          "finite and above 0");
         }
     }
     const auto same = std::ranges::adjacent_find(options.kept_areas, {}, &KeptArea::phase);

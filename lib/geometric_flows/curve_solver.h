@@ -25,7 +25,7 @@ struct CurvePush {
 /// Pressures that hold areas, as further unknowns: all that they push, and what they hold.
 struct PressureRows {
     std::span<CurvePush> pushes;   ///< by curve
-    std::span<Vector2> columns;    ///< the push by vertex, but at junctions
+    std::span<Vector2> columns;    ///< the push by vertex, except at junctions
     std::span<const double> gains; ///< by pressure: by how much its area is to grow
     std::span<double> pressures;   ///< by pressure: the solution
 };
@@ -48,7 +48,7 @@ public:
     /// Eliminates the curves of a share. Reads no block of a junction. O(vertices).
     void eliminate(std::size_t share, std::span<const Block> diagonal,
                    std::span<const Block> coupling);
-    /// The forward substitution in a share that is eliminated, but at junctions. O(vertices).
+    /// The forward substitution in a share that is eliminated, except at junctions. O(vertices).
     void reduce(std::size_t share, std::span<Vector2> columns);
     /// The same for pressures, whose columns and anchors' pushes it changes. O(vertices).
     void reduce(std::size_t share, std::span<const Vector2> columns, const PressureRows& rows);

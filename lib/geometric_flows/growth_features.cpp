@@ -117,8 +117,8 @@ private:
         return (std::min(way(notch.speed), most) + lengths(margin)) * std::tan(half);
     }
 
-    // Whether the vertex was in the way of a notch at the end of one of its edges and has been
-    // removed. Also true if only another submesh can tell.
+    // Whether the vertex blocked a notch at the end of one of its edges and has been removed. Also
+    // true if only another submesh can tell.
     bool is_run_over(const Star<Real>& star, const GrowthBend<Real>& bend,
                      std::uint32_t incident_edge, std::uint32_t other) {
         const std::uint32_t u = star.link[incident_edge];

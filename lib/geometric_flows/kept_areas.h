@@ -65,7 +65,7 @@ private:
     std::vector<Arm> arms_;         ///< sorted
     std::vector<CurvePush> pushes_; ///< by curve
     std::vector<Strand> strands_;   ///< by curve
-    std::vector<Vector2> columns_;  ///< by vertex: the push, but at junctions
+    std::vector<Vector2> columns_;  ///< by vertex: the push, except at junctions
     std::vector<double> drag_;      ///< by vertex: half of that of its edges
     std::vector<Vector2> places_;   ///< by vertex
     std::vector<double> missing_;   ///< what each area lacks

@@ -14,9 +14,9 @@ namespace dsc {
 /// Changes the topology around the candidates, as far as the options allow, and appends what
 /// happened to `work.events`. Candidates may be dead, inside a phase, or listed twice by now; they
 /// are reordered, and the result does not depend on their order. Returns how much of the area that
-/// phases lost was given back, if that is an option, and zeros otherwise. O(their degrees), plus
-/// the length of the outline for each film that opens. The threads of the step share the search for
-/// films and small pieces; all edits are serial, in the order of their places.
+/// phases lost was given back, if the options ask for that, and zeros otherwise. O(their degrees),
+/// plus the length of the outline for each film that opens. The threads of the step share the
+/// search for films and small pieces; all edits are serial, in the order of their places.
 template <class Real>
 AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates);
 

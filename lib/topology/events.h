@@ -52,7 +52,7 @@ inline void archive(Archive& archive, Event& event) {
     archive(event.time, event.x, event.y, event.lost, event.taken, event.area);
 }
 
-/// How much area was given back to the phases that lost it, if that is an option.
+/// How much area was given back to the phases that lost it, if the options ask for that.
 struct AreaAccount {
     double given_back = 0; ///< in squared units of the domain
     double owed = 0;       ///< could not be given back: the two phases no longer have a common

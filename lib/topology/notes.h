@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the topology has to know of each interface vertex from before anything moved: where the
-// vertex was, and what its star was like. A pass at the end of the remeshing notes it in an
-// attribute, in all submeshes at the same time; the change of topology reads it after the sub-step.
+// What changes of topology need to know of each interface vertex before anything moves: its
+// position and properties of its star. A pass at the end of the remeshing notes it in an attribute,
+// in all submeshes at the same time; the change of topology reads it after the sub-step.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -14,7 +14,7 @@
 
 namespace dsc {
 
-/// What is noted of a star. Bits.
+/// The notes on a star, as bits.
 enum Notable : std::uint32_t {
     noted_thin = 1U,     ///< `Candidate::is_thin`
     noted_facing = 2U,   ///< `Candidate::is_facing`

@@ -20,7 +20,7 @@ inline constexpr std::array opening_names{
     Named{Opening::thin, "thin"},
 };
 
-/// What happens where a phase becomes thin.
+/// The treatment of a phase that becomes thin.
 enum class Topology : std::uint8_t {
     keep,   ///< colliding interfaces block each other; the topology is kept
     change, ///< thin films open and necks close; small remnants vanish

@@ -214,7 +214,7 @@ TEST_F(Checkpoints, TheScalarTypeIsTold) {
         other.archive(again);
         FAIL() << "nothing was refused";
     } catch (const FileError& error) {
-        EXPECT_STREQ(error.what(), "here: holds a complex of double, not of float");
+        EXPECT_STREQ(error.what(), "here: the complex is of double, not of float");
     }
 }
 
@@ -246,7 +246,7 @@ TEST_F(Checkpoints, WhatIsNoComplexIsRefused) {
           read_after([](auto& complex) { complex.vertices[9].x = NAN; }),
           read_after([](auto& complex) { complex.ids.vertices.push_back(3); }),
           read_after([](auto& complex) { complex.ids.lend(1).vertices.push_back(3); })}) {
-        EXPECT_TRUE(said.starts_with("here: holds no valid complex: ")) << said;
+        EXPECT_TRUE(said.starts_with("here: invalid complex: ")) << said;
     }
 }
 

@@ -130,7 +130,7 @@ protected:
     /// The progress of a sub-step.
     enum class Progress : std::uint8_t {
         none,        ///< it has ended, or has not begun
-        under_way,   ///< lists may be out of date with the mesh
+        under_way,   ///< lists may not match the mesh
         has_targets, ///< remeshing is done and targets are known, nothing moves yet
     };
 

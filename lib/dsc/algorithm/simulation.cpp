@@ -43,8 +43,8 @@ Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& option
         if (&executor_->complex() != &complex) {
             throw InputError({.what = "the executor belongs to another complex",
                               .where = "Simulation",
-                              .value = "an executor that was made for it",
-                              .allowed = "one that make_executor made for this complex"});
+                              .value = "an executor made for another complex",
+                              .allowed = "one made by make_executor for this complex"});
         }
         executor_->set_options(completed());
         // Edits of the application since the executor was made are in no journal.
@@ -146,13 +146,13 @@ void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
         throw InputError({.what = "null stage",
                           .where = "Simulation::add_stage",
                           .value = "null",
-                          .allowed = "an object of a class that is derived from Stage"});
+                          .allowed = "an object of a class derived from Stage"});
     }
     if (stage->has_simulation_) {
         throw InputError({.what = "this stage already belongs to a simulation",
                           .where = "Simulation::add_stage",
-                          .value = "a stage that was added before",
-                          .allowed = "a stage of its own for each simulation"});
+                          .value = "a stage added before",
+                          .allowed = "a separate stage for each simulation"});
     }
     stage->check(complex_, options_);
     stage->begin(complex_, options_);

@@ -186,7 +186,7 @@ void AttributeSet::refuse(std::string_view name, const char* problem) {
         {.what = problem,
          .where = "attribute",
          .value = "'" + std::string(name) + "'",
-         .allowed = "the name, kind and type of one that exists, or a new name to add"});
+         .allowed = "name, kind and type of an existing attribute, or a new name to add"});
 }
 
 } // namespace dsc

@@ -13,8 +13,8 @@
 
 namespace dsc {
 
-/// What counts as long and short along a side of the domain, squared; and the quality that a
-/// collapse must leave.
+/// The squared lengths that count as long and short along a side of the domain, and the smallest
+/// quality that a collapse may leave.
 template <class Real>
 struct BoundaryLimits {
     Real longest = 0;
@@ -77,8 +77,8 @@ bool should_split_boundary(const Star<Real>& star, const BoundaryLimits<Real>& l
     return !star.closed && boundary_edge(star, is_first).squared > limits.longest;
 }
 
-/// The worst quality of the centre's triangles with link vertex i, a neighbour on the domain
-/// boundary, in its place. O(degree).
+/// The worst quality of the centre's triangles after a collapse into link vertex i, a neighbour on
+/// the domain boundary. O(degree).
 template <class Real>
 Real quality_after_boundary_collapse(const Star<Real>& star, std::uint32_t i) {
     const Point<Real> target(star.link_x(i), star.link_y(i));

@@ -40,7 +40,7 @@ namespace {
 template <class Real>
 void expect_edit(const Archive& archive, const Complex<Real>& complex, const Edit& edit) {
     const auto expect = [&](std::uint32_t id, std::uint32_t bound) {
-        archive.expect(id == no_id || id < bound, "names a simplex that does not exist");
+        archive.expect(id == no_id || id < bound, "edit of a simplex that never existed");
     };
     for (const Vertex v :
          {edit.vertex, edit.ends[0], edit.ends[1], edit.apexes[0], edit.apexes[1]}) {
@@ -60,7 +60,7 @@ void expect_vertices(const Archive& archive, const Complex<Real>& complex,
                      std::span<const std::uint32_t> list) {
     const bool exist =
         std::ranges::all_of(list, [&](std::uint32_t v) { return v < complex.vertex_bound(); });
-    archive.expect(exist, "names a vertex that does not exist");
+    archive.expect(exist, "vertex id out of range");
 }
 
 template <class Real>
@@ -68,15 +68,15 @@ static void transfer(Archive& archive, Complex<Real>& complex) {
     std::uint32_t size = sizeof(Real);
     archive(size);
     if (size != sizeof(Real)) {
-        archive.refuse(size == sizeof(float)    ? "holds a complex of float, not of double"
-                       : size == sizeof(double) ? "holds a complex of double, not of float"
-                                                : "holds a complex of an unknown scalar type");
+        archive.refuse(size == sizeof(float)    ? "the complex is of float, not of double"
+                       : size == sizeof(double) ? "the complex is of double, not of float"
+                                                : "the complex is of an unknown scalar type");
     }
     archive.records(complex.vertices);
     archive.records(complex.triangles);
     archive.expect(!complex.triangles.empty() && complex.vertices.size() < no_id &&
                        complex.triangles.size() < triangle_limit,
-                   "holds no complex");
+                   "not a complex");
     archive(complex.ids);
     complex.attributes.archive(archive);
     archive(complex.journal.counts, complex.journal.records);
@@ -95,7 +95,7 @@ void archive(Archive& archive, Complex<Real>& complex) {
     next.attributes = complex.attributes.without_entries();
     transfer(archive, next);
     if (const ValidationReport report = validate(next); !report.ok()) {
-        archive.refuse("holds no valid complex: " + report.problem);
+        archive.refuse("invalid complex: " + report.problem);
     }
     complex.vertices.swap(next.vertices);
     complex.triangles.swap(next.triangles);

@@ -227,7 +227,7 @@ private:
 /// Calls `visit(std::span<const Corner>)` for each closed loop of half-edges for which
 /// `is_edge(corner)` holds: those around a region, with the region on their left and not on their
 /// right. At each vertex a loop continues with the next edge of the same fan of triangles. A loop
-/// begins with its smallest corner, in the triangle inside, and loops come in the order of these.
+/// begins with its smallest corner, in the triangle inside, and loops are sorted by these corners.
 /// O(half-edges, times the logarithm of their number).
 template <class Real, class IsEdge, class Visit>
 void for_each_loop(const Complex<Real>& complex, HalfEdges half_edges, IsEdge is_edge,

@@ -49,7 +49,7 @@ Problem check_border(const Complex<Real>& complex) {
     }
     if (border.v != std::array<std::uint32_t, 3>{0, 0, 0} ||
         border.n != std::array<Corner, 3>{border_corner, border_corner, border_corner}) {
-        return "triangle 0, the border: its record has been written to";
+        return "triangle 0, the border: its record was overwritten";
     }
     return {};
 }
@@ -188,7 +188,7 @@ Problem check_pools(const char* kind, const FreeIds& ids,
             return std::string("free ") + name(kind, id) + ": the id is out of range";
         }
         if (is_alive(id)) {
-            return std::string("free ") + name(kind, id) + ": it lives, or is in use";
+            return std::string("free ") + name(kind, id) + ": it is alive, or in use";
         }
         if (listed[id] != 0) {
             return std::string("free ") + name(kind, id) + ": it is free twice";

@@ -56,8 +56,8 @@ private:
                                                    : rewire::Vanishing::prev;
     }
 
-    // The worst squared quality of the triangles that `gone` leaves to `kept`; 0 or less if it may
-    // not.
+    // The worst squared quality of the triangles that `gone` leaves to `kept`; 0 or less if the
+    // collapse is not legal.
     Real quality_after(Vertex gone, Vertex kept) const {
         const Corner edge = edge_between();
         if (edge_collapse_guard(complex_, submesh_.region, edge, end_of(edge, gone),

@@ -137,7 +137,7 @@ void SubmeshExecutor<Real>::divide() {
     const std::uint32_t lost = recut == Recut::all ? distribute_interface(std::move(list)) : no_id;
     connect();
     if (lost != no_id) { // the next step asks for another division
-        throw InputError({.what = "the partition leaves out a vertex in its first colour",
+        throw InputError({.what = "the partition's first colour does not cover a vertex",
                           .where = "Partitioner::divide",
                           .value = "vertex " + std::to_string(lost) + " at " +
                                    to_text(complex_.position(Vertex{lost})),

@@ -43,7 +43,7 @@ enum class Recut : std::uint8_t {
     all,
 };
 
-/// What a partitioner may base its decision on. All of it is the same for any number of threads.
+/// The data on which a partitioner may base its decisions, the same for any number of threads.
 struct PartitionStatus {
     std::uint64_t step = 0;             ///< steps done so far; 0: there is no partition yet
     std::uint64_t steps_since_all = 0;  ///< steps since the first colour was cut

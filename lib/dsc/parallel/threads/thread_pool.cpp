@@ -34,8 +34,8 @@ constexpr int looks = 64;
 int current_core() { return sched_getcpu(); }
 
 /// Moves the calling thread off this core: to the `number`th of the others that it is allowed to
-/// use, counted in circles. Later the system may move it again, as any thread. Without another
-/// core, or where the system does not know how, nothing happens.
+/// use, counted in circles. Later the system may move it again, as any thread. Does nothing without
+/// another core, or if the system does not support it.
 void leave_core(int core, unsigned number) {
     cpu_set_t allowed;
     if (core < 0 || core >= CPU_SETSIZE || sched_getaffinity(0, sizeof allowed, &allowed) != 0) {
@@ -61,8 +61,8 @@ void leave_core(int core, unsigned number) {
     }
 }
 
-/// Allows the calling thread these cores. Nothing happens if there are none, or where the system
-/// does not know how.
+/// Allows the calling thread these cores. Does nothing if there are none, or if the system does not
+/// support it.
 void use_cores(const std::vector<int>& cores) {
     cpu_set_t allowed;
     CPU_ZERO(&allowed);
@@ -137,7 +137,7 @@ void ThreadPool::start(std::uint32_t threads) {
             });
         } catch (const std::exception&) {
             workers_.pop_back();
-            is_refused_ = true; // the others do its work
+            is_refused_ = true; // the other threads do its work
             break;
         }
     }
@@ -191,7 +191,7 @@ void ThreadPool::serve(std::uint32_t thread, Worker& worker) {
         if (has_ended_.load(std::memory_order_acquire)) {
             return;
         }
-        // One that comes late finds the door closed, or that of the next section open.
+        // A late worker finds the door closed, or that of the next section open.
         std::uint32_t door = door_.load(std::memory_order_acquire);
         while ((door & is_open) != 0) {
             if (door_.compare_exchange_weak(door, door + one_inside, std::memory_order_acq_rel,

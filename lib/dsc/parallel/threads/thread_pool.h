@@ -56,18 +56,17 @@ public:
     /// Ends the workers, which takes no longer than to wake them.
     ~ThreadPool();
 
-    /// Starts workers until there are so many threads with the caller, or until the system grants
-    /// no more. A worker is started once and stays.
+    /// Starts workers until there are this many threads, the caller included, or the system grants
+    /// no more. A worker that was started stays.
     void start(std::uint32_t threads);
-    /// The caller and the workers there are.
+    /// The number of threads: the caller and the workers.
     [[nodiscard]] std::uint32_t size() const {
         return static_cast<std::uint32_t>(workers_.size()) + 1;
     }
 
-    /// What threads have done in sections. Not to be called in one.
+    /// The work of all threads in sections. Must not be called in a section.
     [[nodiscard]] const ThreadWork& work_so_far() const { return done_; }
-    /// Adds to the caller's or a worker's own share of it; to be called by that thread in a
-    /// section.
+    /// Adds to the busy time of the calling thread, within a section.
     void add_busy(std::uint32_t thread, double seconds) { done_.busy_s[thread] += seconds; }
     /// Adds a section that the caller ran alone.
     void add_section_alone(double seconds) {
@@ -75,14 +74,14 @@ public:
         add_busy(0, seconds);
     }
 
-    /// A section for so many threads follows soon: workers that sleep get up. Does not wait.
+    /// Wakes sleeping workers because a section for this many threads follows soon. Does not wait.
     void wake(std::uint32_t threads);
 
-    /// Calls `work(thread)`, with 0 in the caller and with 1, 2, ... in those workers that come
-    /// before the caller's own call has returned. Returns when all of these calls have. So either
-    /// any thread must be able to do all of the work, or the caller's call must wait for the
-    /// others. `work` must not throw. No allocation; callers pass functions by `std::cref`, so that
-    /// to make a std::function of them takes none either.
+    /// Calls `work(thread)`, with 0 on the caller and with 1, 2, ... on those workers that arrive
+    /// before the caller's own call has returned. Returns when all of these calls have returned. So
+    /// either any thread must be able to do all of the work, or the caller's call must wait for the
+    /// others. `work` must not throw. No allocation; pass functions by `std::cref`, so that the
+    /// std::function does not allocate either.
     void run(std::uint32_t threads, const std::function<void(std::uint32_t thread)>& work);
 
 private:
@@ -103,7 +102,7 @@ private:
     const std::function<void(std::uint32_t)>* work_ = nullptr;
     std::uint32_t wanted_ = 0;
     std::uint64_t section_ = 0;
-    /// The lowest bit: the section takes workers in; above it: how many of them are inside.
+    /// The lowest bit: the section is open to workers; above it: the number of workers inside.
     alignas(64) std::atomic<std::uint32_t> door_ = 0;
 };
 

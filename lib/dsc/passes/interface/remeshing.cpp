@@ -124,7 +124,7 @@ private:
                                  should_split_boundary(star, boundary_at(star))));
     }
 
-    // The domain boundary's edges are as fine as the interface where that is finer than the edge
+    // Boundary edges are as fine as the interface, where the interface is finer than the edge
     // length.
     BoundaryLimits<Real> boundary_at(const Star<Real>& star) const {
         const Real share = std::min(Real(1), stretch({star.x0, star.y0}));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Keeps the targets of edges up to date as the mesh update visits stars: a changed target is
 // stored, and the neighbours that it affects are visited in the next pass. A change thus spreads by
-// one star per pass, and no farther than it matters. Flips and smoothing nearby may change what a
-// target should be without a visit; the slow sweep of `Simulation` finds those. Only owned stars
-// are read and written: the result does not depend on the threads.
+// one star per pass, and no farther than it matters. Flips and smoothing nearby may change a target
+// without a visit; the slow sweep of `Simulation` finds such targets. Only owned stars are read and
+// written: the result does not depend on the threads.
 #pragma once
 
 #include "dsc/complex/ranges.h"
