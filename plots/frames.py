@@ -21,7 +21,7 @@ from results import load_frames
 CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
 CLOSE_COUNT = 500
 MANY = 8  # more phases than this are not told apart by name
-EVENT_MARKS = {"merge": "o", "meet": "P", "split": "X", "exchange": "D", "fill": "v", "remove": "s",
+EVENT_MARKS = {"merge": "o", "meet": "P", "split": "X", "t1": "D", "fill": "v", "remove": "s",
                "widen": "."}
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "methods.h"
 
+#include "dsc/base/names.h"
 #include "scenes/parameters.h"
 
 namespace dsc::bench {

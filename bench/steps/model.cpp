@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/schedule.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include <algorithm>
 #include <chrono>

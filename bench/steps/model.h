@@ -13,6 +13,7 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include <cstdint>
 #include <vector>

@@ -8,9 +8,11 @@
 #include "suites.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"

@@ -4,6 +4,7 @@
 #include "context.h"
 
 #include "dsc/base/error.h"
+#include "dsc/parallel/executors.h"
 #include "scenes/run/run.h"
 
 #include <algorithm>

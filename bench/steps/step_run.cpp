@@ -3,8 +3,14 @@
 
 #include "context.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/base/timer.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/schedule.h"
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/validate.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"

@@ -2,7 +2,9 @@
 // One measurement of a step, and the result that it must have.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
+#include "dsc/passes/algorithm.h"
 #include "model.h"
 #include "reference/algorithm/dsc.h"
 #include "scenes/run/run.h"

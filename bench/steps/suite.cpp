@@ -5,6 +5,7 @@
 #include "rows.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "scenes/file/case_reader.h"
 #include "scenes/file/excerpt.h"

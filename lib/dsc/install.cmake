@@ -4,13 +4,6 @@
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
-# Programs that link the library must be compiled with the same flags: -march=native changes the
-# alignment that Eigen allocates with, and fused multiply-adds in its templates would change results.
-target_compile_options(dsc INTERFACE
-    $<INSTALL_INTERFACE:-ffp-contract=off>
-    $<INSTALL_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>
-    $<INSTALL_INTERFACE:$<$<BOOL:${DSC_NATIVE}>:-march=native>>)
-
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dsc)
 # The installed and exported parts of each module are collected when the build is generated.
 install(EXPORT dscTargets NAMESPACE dsc:: DESTINATION ${package_dir})
@@ -24,9 +17,29 @@ install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/dscConfigVersion.cmake
     DESTINATION ${package_dir})
 
-# dsc_install_module(module target folder): the library, and the public headers of lib/MODULE below
-# `folder`, which is relative to the prefix and holds MODULE/.
+if(PROJECT_IS_TOP_LEVEL)
+    add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D manifest=${PROJECT_BINARY_DIR}/install_manifest.txt
+        -P ${CMAKE_CURRENT_LIST_DIR}/uninstall.cmake)
+endif()
+
+# dsc_install_module(module target folder [ON module...]): the library, the public headers of lib/MODULE
+# below `folder`, which is relative to the prefix and holds MODULE/, and TARGET.pc for pkg-config.
 function(dsc_install_module module target folder)
+    cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "ON")
+    list(TRANSFORM arg_ON PREPEND dsc_)
+    set(requires "eigen3")
+    set(private "-lz -fopenmp")
+    if(NOT target STREQUAL dsc)
+        list(JOIN arg_ON " " requires)
+        string(PREPEND requires "dsc ")
+        set(private "")
+    endif()
+    get_target_property(library ${target} OUTPUT_NAME)
+    if(NOT library)
+        set(library ${target})
+    endif()
+    configure_file(${PROJECT_SOURCE_DIR}/lib/dsc/dsc.pc.in ${PROJECT_BINARY_DIR}/${target}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${target}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
     install(TARGETS ${target} EXPORT dscTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/flow.h"
 
+#include "dsc/base/timer.h"
 #include "fluid/interface/even_spacing.h"
 #include "fluid/solve/solve.h"
 #include "fluid/system/assembly.h"

@@ -2,11 +2,14 @@
 #include "geometric_flows/growth_features.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "geometric_flows/growth_bend.h"
 
 #include <algorithm>
@@ -98,10 +101,10 @@ private:
     }
     void mark(std::uint32_t v, const GrowthBend<Real>& bend) {
         if (std::abs(bend.turn) < smooth_) {
-            complex_.set_corner(Vertex{v}, false);
+            complex_.set_feature(Vertex{v}, false);
         } else if (bend.turn * bend.speed < 0 && std::abs(bend.turn) > notch_ &&
                    has_longer_edges(bend, lengths(work_.options.interface.shortest))) {
-            complex_.set_corner(Vertex{v}, true);
+            complex_.set_feature(Vertex{v}, true);
         }
     }
 
@@ -222,7 +225,7 @@ private:
                              static_cast<float>(-by),
                              k + 1 == count ? 0 : static_cast<float>(angle - by),
                              FanState::opening};
-            complex_.set_corner(member, true);
+            complex_.set_feature(member, true);
         }
     }
 
@@ -291,7 +294,7 @@ private:
         } else if (bend.speed * radius < 0) {
             close(star, bend, is_inside);
         } else if (is_inside && std::abs(radius) > lengths(grown)) {
-            complex_.set_corner(v, false);
+            complex_.set_feature(v, false);
         }
     }
 
@@ -330,7 +333,7 @@ private:
         const bool is_last = ray.to_last == 0;
         if (is_last || !(collapse_into(star, bend.out) || collapse_into(star, bend.in))) {
             ray = {};
-            complex_.set_corner(Vertex{star.vertex}, is_last);
+            complex_.set_feature(Vertex{star.vertex}, is_last);
         }
     }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "python/options.h"
 
+#include "dsc/base/names.h"
 #include "dsc/base/renamed.h"
+#include "dsc/parallel/executors.h"
 #include "thesis/divisions.h"
 
 #include <algorithm>

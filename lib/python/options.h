@@ -5,6 +5,7 @@
 
 #include "python/arrays.h"
 
+#include "dsc/parallel/executors.h"
 #include "topology/topology.h"
 
 #include <cstdint>

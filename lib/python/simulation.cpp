@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A simulation as Python sees it: with its mesh, its stages, and what the last step did.
+#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/stage.h"
+#include "dsc/base/names.h"
+#include "dsc/parallel/executors.h"
+#include "dsc/passes/algorithm.h"
 #include "python/flows.h"
 #include "python/module.h"
 #include "python/options.h"

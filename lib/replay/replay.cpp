@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/rewire.h"
 
 #include <string>

@@ -2,6 +2,7 @@
 // The integrators of scenes: those of the core, and that of the thesis.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/passes/options.h"
 #include "thesis/algorithm/centred_difference.h"
 

@@ -2,6 +2,7 @@
 #include "scenes/keys.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "dsc/base/renamed.h"
 #include "scenes/file/excerpt.h"
 

@@ -2,6 +2,7 @@
 // The parameters of a scene, which can be set by the keys in keys.h.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/options.h"
 #include "scenes/integrator_choice.h"

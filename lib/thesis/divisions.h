@@ -3,6 +3,7 @@
 // that let their user choose one by its name.
 #pragma once
 
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "thesis/copies/copy_executor.h"
 #include "thesis/divisions/blocks.h"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/base/archive.h"
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
 #include <functional>
@@ -18,16 +19,16 @@ enum class EventKind : std::uint8_t {
     /// A film opened between two different phases, or a phase and the domain boundary (then
     /// `Event::taken` is the same twice), which border on each other now.
     meet,
-    widen,    ///< the film of an earlier event opened farther: along its seam, or elsewhere
-    exchange, ///< an unstable junction split (T1): some phases met, others parted
-    fill,     ///< a small piece of the exterior vanished
-    remove,   ///< a small piece of another phase vanished
+    widen,  ///< the film of an earlier event opened farther: along its seam, or elsewhere
+    t1,     ///< an unstable junction split: some phases met, others parted
+    fill,   ///< a small piece of the exterior vanished
+    remove, ///< a small piece of another phase vanished (the T2 of foams and grains)
 };
 
 inline constexpr std::array event_names{
-    Named{EventKind::merge, "merge"},       Named{EventKind::split, "split"},
-    Named{EventKind::meet, "meet"},         Named{EventKind::widen, "widen"},
-    Named{EventKind::exchange, "exchange"}, Named{EventKind::fill, "fill"},
+    Named{EventKind::merge, "merge"},   Named{EventKind::split, "split"},
+    Named{EventKind::meet, "meet"},     Named{EventKind::widen, "widen"},
+    Named{EventKind::t1, "t1"},         Named{EventKind::fill, "fill"},
     Named{EventKind::remove, "remove"},
 };
 

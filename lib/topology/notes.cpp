@@ -3,6 +3,7 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 

@@ -7,6 +7,7 @@
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 
 #include <cmath>
 #include <limits>

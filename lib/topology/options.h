@@ -2,6 +2,7 @@
 // Whether the topology of the phases may change, and where (thesis, section 13: merging of phases).
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
 #include <functional>

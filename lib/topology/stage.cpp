@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "topology/stage.h"
 
+#include "dsc/algorithm/stage.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "topology/change.h"
 #include "topology/contact_check.h"
 

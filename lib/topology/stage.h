@@ -3,6 +3,8 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/algorithm/stage.h"
+#include "dsc/passes/algorithm.h"
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/algorithm/passes.h"
 
+#include "dsc/base/verdict.h"
 #include "reference/algorithm/quality.h"
 #include "reference/algorithm/selection.h"
 #include "reference/complex/algebra.h"

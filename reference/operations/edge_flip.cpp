@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/operations/edge_flip.h"
 
+#include "dsc/base/verdict.h"
 #include "reference/complex/algebra.h"
 #include "reference/complex/geometry.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/operations/laplacian_smoothing.h"
 
+#include "dsc/base/verdict.h"
 #include "reference/algorithm/quality.h"
 #include "reference/complex/algebra.h"
 #include "reference/complex/geometry.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/operations/local_retriangulation.h"
 
+#include "dsc/base/verdict.h"
 #include "reference/complex/algebra.h"
 #include "reference/operations/ear_clipping.h"
 

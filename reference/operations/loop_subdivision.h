@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 #include "reference/complex/complex.h"
 
 #include <optional>

@@ -3,12 +3,18 @@
 // and in passes of its own.
 #include "support/courses.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

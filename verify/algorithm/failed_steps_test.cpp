@@ -4,7 +4,9 @@
 #include "support/courses.h"
 #include "support/refusal.h"
 
+#include "dsc/algorithm/stage.h"
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/mesh/size_update.h"
 #include "dsc/queries/phases.h"

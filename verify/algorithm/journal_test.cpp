@@ -5,6 +5,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/validate.h"
 #include "replay/replay.h"

@@ -4,9 +4,11 @@
 
 #include "support/simulation_testing.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The table of each enum has all of its values: what is listed, parsed or drawn at random from a
 // table then misses none. An enumerator without an entry does not compile here.
-#include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 
 #include "support/enumerators.h"
 #include "support/random/complex.h"
 #include "support/random/scene.h"
 #include "support/random/submeshes.h"
 
+#include "dsc/base/names.h"
 #include "dsc/passes/options.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,11 @@
 #include "support/interface_view_testing.h"
 #include "support/random/scene.h"
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/complex/numbering.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
 #include "geometric_flows/growth_features.h"

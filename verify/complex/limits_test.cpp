@@ -3,6 +3,7 @@
 // of very different size; what insertion refuses.
 #include "dsc/complex/complex.h"
 #include "dsc/complex/gather.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/queries/phases.h"
 #include "thesis/sets/insertion_removal.h"
 

@@ -7,6 +7,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
 #include "replay/mesh_hash.h"

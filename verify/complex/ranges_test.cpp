@@ -4,6 +4,7 @@
 
 #include "support/small_meshes.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_split.h"
 #include "thesis/sets/algebra.h"
 #include "thesis/sets/insertion_removal.h"

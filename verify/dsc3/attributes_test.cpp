@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Attributes in three dimensions follow every edit, and checkpoints go on to the same bits.
+#include "dsc/complex/numbering.h"
 #include "dsc3/dsc3.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data structure in three dimensions, exact signs, measures, and what the validator finds.
+#include "dsc/complex/numbering.h"
 #include "dsc3/random_mesh.h"
 
 #include <numeric>

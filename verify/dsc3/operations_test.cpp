@@ -2,6 +2,7 @@
 // Operations in three dimensions on random complexes: a refused one changes nothing, and after each
 // that is done the complex is valid, its phases keep their topology, and their volumes unless the
 // interface was to change.
+#include "dsc/base/verdict.h"
 #include "dsc3/random_mesh.h"
 #include "support/environment.h"
 

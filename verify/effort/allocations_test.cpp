@@ -7,6 +7,7 @@
 #include "support/ways.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/queries/validate.h"
 #include "thesis/algorithm/centred_difference.h"
 

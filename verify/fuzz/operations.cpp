@@ -9,6 +9,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"

@@ -47,7 +47,7 @@ double loss_of_quality(const RunResult& a, const RunResult& b) {
 double event_difference(const RunResult& a, const RunResult& b) {
     double sum = 0;
     for (const EventKind kind :
-         {EventKind::merge, EventKind::split, EventKind::meet, EventKind::exchange}) {
+         {EventKind::merge, EventKind::split, EventKind::meet, EventKind::t1}) {
         const auto in_a = std::ranges::count(a.events, kind, &Event::kind);
         const auto in_b = std::ranges::count(b.events, kind, &Event::kind);
         sum += static_cast<double>(std::abs(in_a - in_b));
@@ -222,7 +222,7 @@ std::vector<Check> table() {
                 "positive",
                 "shape", excess_of_error, {"sd_rel_last"}),
         of_runs(difference, "parallel_events",
-                "merge, split, meet and exchange, parallel against sequential", "events",
+                "merge, split, meet and t1, parallel against sequential", "events",
                 event_difference),
         of_runs(difference, "parallel_area_histogram", area_histogram, "histograms", area_distance),
         of_runs(difference, "parallel_quality_histogram", quality_histogram, "histograms",

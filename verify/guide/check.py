@@ -159,8 +159,8 @@ def rooms(page, file, root):
 
 
 def public_headers(root, module):
-    """MODULE/MODULE.h and what it includes, directly or not."""
-    found = [f"{module}/{module}.h"]
+    """MODULE/MODULE.h, of the core dsc/engine.h as well, and what they include, directly or not."""
+    found = [f"{module}/{module}.h"] + (["dsc/engine.h"] if module == "dsc" else [])
     for header in found:
         with open(os.path.join(root, "lib", header), encoding="utf-8") as stream:
             found += [other for other in re.findall(r'#include "([^"]+)"', stream.read())

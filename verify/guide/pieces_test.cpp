@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pieces of programs that the README and the guide show: compiled and run here, and compared
 // with the text by guide_test.py.
-#include "dsc/dsc.h"
+#include "dsc/engine.h"
 #include "geometric_flows/geometric_flows.h"
 #include "replay/replay.h"
 #include "support/random/scene.h"

@@ -3,8 +3,12 @@
 
 #include "support/random/scene.h"
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/stage.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/validate.h"
 
 #include <limits>

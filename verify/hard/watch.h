@@ -6,6 +6,7 @@
 
 #include "scene.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 

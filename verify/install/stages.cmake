@@ -14,14 +14,14 @@ file(REMOVE_RECURSE ${work})
 set(prefix ${work}/prefix)
 stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
 
-# Headers: what an installed one includes is there, and each but dsc.h and those of the modules that
+# Headers: what an installed one includes is there, and each but dsc.h, engine.h and those of the modules that
 # have their name is included by another. Nothing but dsc/ is below include/.
 set(modules dsc3 fluid geometric_flows replay thesis topology)
 if(EXISTS ${prefix}/include/dsc/surface_files)
     list(APPEND modules surface_files)
 endif()
 file(GLOB_RECURSE installed RELATIVE ${prefix}/include ${prefix}/include/*)
-set(included dsc/dsc.h)
+set(included dsc/dsc.h dsc/engine.h)
 foreach(module IN LISTS modules)
     list(APPEND included dsc/${module}/${module}.h)
 endforeach()
@@ -47,6 +47,19 @@ if(NOT installed STREQUAL included)
                         "included, but not installed: ${included}")
 endif()
 message(STATUS "headers: done")
+
+# A component that does not exist: the error names those that do.
+file(WRITE ${work}/misspelt/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
+project(misspelt LANGUAGES CXX)
+find_package(dsc REQUIRED COMPONENTS topologie)
+")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${work}/misspelt -B ${work}/misspelt/build -G ${generator}
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${compiler}
+    RESULT_VARIABLE code ERROR_VARIABLE text OUTPUT_QUIET)
+string(REGEX REPLACE "[ \n]+" " " text "${text}")
+if(code EQUAL 0 OR NOT text MATCHES "no component 'topologie'; it has dsc3, fluid, .*topology")
+    message(FATAL_ERROR "stage misspelt: ${text}")
+endif()
 
 # The gate, if it is built, holds runs to the suites that are installed with it.
 if(EXISTS ${prefix}/bin/dsc_verify)
@@ -85,13 +98,43 @@ set(options -G ${generator}
 stage(configure ${CMAKE_COMMAND} -S ${source} -B ${work}/build ${options})
 stage(build ${CMAKE_COMMAND} --build ${work}/build)
 stage(run ${work}/build/stranger)
+find_program(pkg_config pkg-config)
+if(pkg_config)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${prefix}/lib/pkgconfig ${pkg_config}
+        --cflags --libs dsc_topology OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+    separate_arguments(words UNIX_COMMAND "${flags} ${text}")
+    stage(pkg-config ${compiler} -std=c++20 ${source}/modules/topology.cpp -o ${work}/by_pkg_config ${words})
+endif()
 stage(configure-modules ${CMAKE_COMMAND} -S ${source}/modules -B ${work}/modules ${options})
 stage(build-modules ${CMAKE_COMMAND} --build ${work}/modules)
 foreach(module IN LISTS modules ITEMS space)
     stage(run-${module} ${CMAKE_COMMAND} -E chdir ${work} ${work}/modules/${module})
 endforeach()
 
+# The library's bits do not depend on how its user is compiled.
+if(build_type STREQUAL "Release")
+    stage(configure-native ${CMAKE_COMMAND} -S ${source}/modules -B ${work}/native ${options}
+        -D CMAKE_CXX_FLAGS=-march=native)
+    stage(build-native ${CMAKE_COMMAND} --build ${work}/native --target replay)
+    foreach(kind modules native)
+        execute_process(COMMAND ${work}/${kind}/replay OUTPUT_VARIABLE printed_${kind} COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()
+    if(NOT printed_native STREQUAL printed_modules)
+        message(FATAL_ERROR "stage native: ${printed_native} instead of ${printed_modules}")
+    endif()
+endif()
+
 file(STRINGS ${work}/build/CMakeCache.txt found REGEX "^dsc_DIR")
 if(NOT found MATCHES "${prefix}")
     message(FATAL_ERROR "stage configure found another library: ${found}")
+endif()
+
+# As if it had been installed a second time, elsewhere.
+file(COPY ${prefix}/ DESTINATION ${work}/second)
+file(GLOB_RECURSE manifest ${work}/second/*)
+list(JOIN manifest "\n" manifest)
+file(WRITE ${work}/manifest.txt "${manifest}\n")
+stage(uninstall ${CMAKE_COMMAND} -D manifest=${work}/manifest.txt -P ${project}/lib/dsc/uninstall.cmake)
+if(EXISTS ${work}/second)
+    message(FATAL_ERROR "stage uninstall: ${work}/second is still there")
 endif()

@@ -3,8 +3,10 @@
 #include "measures/mesh_quality.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/algorithm/stage.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/quality/measures.h"
 #include "support/random/scene.h"

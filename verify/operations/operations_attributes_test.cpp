@@ -8,6 +8,8 @@
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
 
+#include "dsc/base/verdict.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/operations/edge_collapse.h"

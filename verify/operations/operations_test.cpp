@@ -6,6 +6,7 @@
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

@@ -5,6 +5,7 @@
 #include "support/small_meshes.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "thesis/operations/smoothing.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // The quick guard of the mesh update says what the guard of the collapse says, star by star.
 #include "support/small_meshes.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"

@@ -2,8 +2,13 @@
 // A complex is a value: it may be copied, moved from, assigned to, renumbered and repeated at any
 // time, whether a simulation of it lives, has ended, or ends later. In each case it is valid
 // afterwards, and so is the next step of whoever works on it.
+#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/stage.h"
+#include "dsc/base/verdict.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

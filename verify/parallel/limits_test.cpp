@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // As few slabs as there can be, and divisions that are none.
 #include "dsc/base/error.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/parallel/partition/cuts.h"

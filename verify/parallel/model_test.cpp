@@ -3,6 +3,8 @@
 // task.
 #include "steps/model.h"
 
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/algorithm.h"
 #include "support/submesh_executor_testing.h"
 #include "thesis/divisions/slabs.h"
 

@@ -2,6 +2,7 @@
 // Each task runs once, and never before those that it waits for have ended; an exception in a task
 // is passed on, and the schedule can be used again.
 #include "dsc/parallel/in_place/schedule.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include "support/enum_values.h"
 #include "support/random/scene.h"

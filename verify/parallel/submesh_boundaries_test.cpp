@@ -2,9 +2,13 @@
 // At the boundaries of submeshes no split is left undone and no vertex is forgotten.
 #include "support/submesh_executor_testing.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_collapse.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "replay/mesh_hash.h"
 

@@ -7,8 +7,13 @@
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/algorithm/stage.h"
 #include "dsc/base/error.h"
+#include "dsc/base/timer.h"
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/validate.h"
 #include "thesis/divisions/slabs.h"
 #include "thesis/divisions/voronoi.h"

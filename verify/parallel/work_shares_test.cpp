@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a partitioner is told of the work: where more is done, a vertex counts for more, and cuts
 // follow.
+#include "dsc/passes/algorithm.h"
 #include "support/submesh_executor_testing.h"
 #include "thesis/divisions/slabs.h"
 

@@ -6,6 +6,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/interface/list.h"
 

@@ -4,8 +4,10 @@
 
 #include "support/small_meshes.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

@@ -10,6 +10,7 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
 

@@ -6,10 +6,13 @@
 #include "support/small_meshes.h"
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/work.h"
 
 #include <gtest/gtest.h>
 

@@ -9,6 +9,7 @@
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
+#include "dsc/passes/work.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A new partitioner: left and right at once, and then below and above for what lay near the cut.
-#include "dsc/dsc.h"
+#include "dsc/engine.h"
 #include "replay/mesh_hash.h"
 #include "support/random/scene.h"
 

@@ -3,6 +3,7 @@
 // verdict and the same mesh, on thousands of random complexes, whole ones and submeshes.
 #include "support/equivalence_testing.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

@@ -67,7 +67,7 @@ TEST(T1, OpensAnEdgeAsTheSelfSimilarSolution) {
         };
         const RunResult result = run_scene(scene, parameters, options);
         expect_sound(result);
-        EXPECT_EQ(count(result, EventKind::exchange), 1U);
+        EXPECT_EQ(count(result, EventKind::t1), 1U);
         ASSERT_EQ(ends.size(), 2U);
         EXPECT_LT(std::abs(ends[0].y() - ends[1].y()), 0.1 * parameters.h);
         const double length = (ends[0] - ends[1]).norm();

@@ -6,6 +6,7 @@
 #include "support/enumerators.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "scenes/catalogue/catalogue.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "scenes/run/run.h"
 
 #include "dsc/base/error.h"
+#include "dsc/parallel/executors.h"
 #include "measures/hausdorff.h"
 #include "measures/interface_outlines.h"
 #include "measures/symmetric_difference.h"

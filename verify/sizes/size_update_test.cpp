@@ -7,8 +7,10 @@
 #include "support/honeycomb.h"
 #include "support/simulation_testing.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/passes/work.h"
 #include "dsc/sizes/sizes.h"
 
 #include <gtest/gtest.h>

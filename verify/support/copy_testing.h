@@ -5,6 +5,7 @@
 #include "support/simulation_testing.h"
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc/passes/algorithm.h"
 #include "thesis/copies/copy_executor.h"
 
 #include <memory>

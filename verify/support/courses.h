@@ -6,6 +6,7 @@
 #include "support/random/scene.h"
 #include "support/simulation_testing.h"
 
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "thesis/divisions.h"
 

@@ -2,6 +2,7 @@
 // All values of an enum, for tests that try each.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
 namespace dsc::test {

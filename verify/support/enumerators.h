@@ -4,6 +4,7 @@
 // there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") if there is none.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
 #include <cstddef>

@@ -8,6 +8,7 @@
 #include "support/random/complex.h"
 
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/queries/validate.h"
 #include "reference/algorithm/quality.h"

@@ -6,6 +6,7 @@
 #include "snapshot.h"
 
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 #include "dsc/queries/validate.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/queries/validate.h"
 #include "thesis/divisions/blocks.h"
 #include "thesis/divisions/slabs.h"

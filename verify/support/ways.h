@@ -2,6 +2,8 @@
 // The sequential method, or one division of the mesh into four submeshes, on one thread.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "thesis/divisions.h"
 

@@ -11,6 +11,8 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "replay/mesh_hash.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/queries/phases.h"

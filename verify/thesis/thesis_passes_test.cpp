@@ -7,7 +7,9 @@
 #include "support/small_meshes.h"
 
 #include "dsc/complex/ranges.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 
 #include <gtest/gtest.h>

@@ -161,7 +161,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     for (int step = 0; step < 20; ++step) {
         const test::ChangingReport report = simulation.step(slide, 0, 0.4 * h);
         // The end of a curve that is close to a corner of the domain goes there.
-        EXPECT_EQ(count(report.events, EventKind::exchange), report.events.size());
+        EXPECT_EQ(count(report.events, EventKind::t1), report.events.size());
         unreached += report.unreached;
     }
     EXPECT_EQ(unreached, 0U);

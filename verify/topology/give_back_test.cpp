@@ -6,6 +6,7 @@
 #include "support/random/scene.h"
 
 #include "dsc/complex/ranges.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/locate.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

@@ -105,7 +105,7 @@ TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
         auto complex = row.complex;
         const auto events = change(complex);
         ASSERT_EQ(events.size(), 1U);
-        EXPECT_EQ(events[0].kind, EventKind::exchange);
+        EXPECT_EQ(events[0].kind, EventKind::t1);
         // Either side would gain the same: the smaller phase gives way.
         EXPECT_EQ(events[0].lost, row.taken.contains(2) ? 1U : 2U);
         EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), row.taken);
@@ -169,7 +169,7 @@ TEST(BoundaryJunctions, AnEndThatReachesACornerGoesOnAlongTheOtherBoundary) {
     const auto events = change(complex);
     ASSERT_EQ(events.size(), 2U); // at both ends
     for (const Event& event : events) {
-        EXPECT_EQ(event.kind, EventKind::exchange);
+        EXPECT_EQ(event.kind, EventKind::t1);
         EXPECT_EQ(event.lost, 1U);
         EXPECT_EQ(event.taken, (std::array<Phase, 2>{2, 2}));
     }

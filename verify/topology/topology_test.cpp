@@ -5,9 +5,12 @@
 #include "support/topology/growing_discs.h"
 #include "support/ways.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
+#include "dsc/base/names.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"

@@ -5,8 +5,11 @@
 #include "dsc/base/error.h"
 #include "dsc/base/room.h"
 #include "dsc/motion/movement.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
+#include "dsc/passes/work.h"
 
 #include <utility>
 

@@ -6,6 +6,7 @@
 
 #include "dsc/motion/interface_flow.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 #include <memory>

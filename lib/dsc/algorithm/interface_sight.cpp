@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/interface_sight.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/room.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #include "dsc/algorithm/executor.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/algorithm/simulation.h"
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/stage.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/readers.h"
@@ -273,6 +276,21 @@ void Simulation<Real>::forget_past(std::span<const std::uint32_t> vertices) {
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::interface() const {
     return options_.advected_phases.empty() ? moved() : on_interface(complex_, moved());
+}
+
+template <class Real>
+std::size_t Simulation<Real>::interface_size() const {
+    return options_.advected_phases.empty() ? executor_->interface_size() : interface().size();
+}
+
+template <class Real>
+void Simulation<Real>::watch_quality(double quality) {
+    executor_->watch_quality(quality);
+}
+
+template <class Real>
+std::span<const std::uint32_t> Simulation<Real>::take_poor() {
+    return executor_->take_poor();
 }
 
 // The vertices that the flow moves.

@@ -4,9 +4,11 @@
 // fraction of an edge length at a time, and all passes end before the next sub-step begins.
 #pragma once
 
-#include "dsc/algorithm/executor.h"
-#include "dsc/motion/integrator.h"
-#include "dsc/passes/algorithm.h"
+#include "dsc/base/archive.h"
+#include "dsc/base/names.h"
+#include "dsc/complex/complex.h"
+#include "dsc/motion/interface_flow.h"
+#include "dsc/passes/options.h"
 
 #include <array>
 #include <atomic>
@@ -21,61 +23,13 @@
 namespace dsc {
 
 template <class Real>
-class Simulation;
-
-// --- stages --------------------------------------------------------------------------------------
-// Serial work between two sub-steps, in the whole complex: changes of topology, an implicit solve,
-// remeshing by a criterion of the application. A stage may bring a pass of its own, which runs in
-// the submeshes at the end of the remeshing and notes what the stage has to know, in an attribute:
-// attributes follow operations, renumbering, copies and checkpoints by themselves.
-
-/// What a stage is given.
+class Executor; // algorithm/executor.h
 template <class Real>
-struct Between {
-    Complex<Real>& complex;                   ///< edits are noted in its journal
-    std::span<const std::uint32_t> interface; ///< the vertices that the flow moves, in any order
-    Real edge_length;                         ///< of the options
-    Real time;                                ///< at the end of the sub-step
-    Real dt;                                  ///< the duration of the sub-step
-    std::uint64_t unreached;                  ///< vertices that did not arrive in it
-    const InShares& in_shares;                ///< the threads of the step, to share reading among
-};
-
-/// A stage of a simulation. Called by the thread that calls `Simulation::step`; what it throws
-/// comes out of there, and the complex must be valid then. A stage that has to read the edits of
-/// the sub-step adds a listener, which is told before the stage runs.
+class Stage; // algorithm/stage.h
 template <class Real>
-class Stage : public Unmovable {
-public:
-    virtual ~Stage() = default;
-
-    /// Throws InputError if the stage does not suit the complex or these options. Called before
-    /// `begin`, for all stages of a simulation before anything changes.
-    virtual void check(const Complex<Real>& complex, const Options<Real>& options) const {
-        (void)complex, (void)options;
-    }
-    /// Called when the stage is added, whenever the options have changed, and after the application
-    /// has renumbered or replaced the complex: attributes may be others then.
-    virtual void begin(Complex<Real>& complex, const Options<Real>& options) {
-        (void)complex, (void)options;
-    }
-    /// The last pass of the remeshing, once a sub-step. Asked for when the stage is added.
-    [[nodiscard]] virtual std::optional<Pass<Real>> pass() { return {}; }
-    /// Called after each sub-step. Edits are absorbed after the call, and told to the listeners;
-    /// vertices that did not arrive in the sub-step then try again.
-    virtual void run(const Between<Real>& between) = 0;
-    /// Called after the edits are absorbed, for listeners of the stage's own.
-    virtual void tell() {}
-    /// Writes what the stage carries from one step to the next, or reads it back; see
-    /// `Simulation::archive`. Attributes of the complex are archived with the complex.
-    virtual void archive(Archive& archive) { (void)archive; }
-
-private:
-    friend class Simulation<Real>;
-    bool has_simulation_ = false;
-};
-
-// --- a step --------------------------------------------------------------------------------------
+struct Reach;
+template <class Real>
+struct TargetReport;
 
 /// Why a step ended before its time.
 enum class GiveUp : std::uint8_t {
@@ -169,13 +123,13 @@ public:
     /// From now on steps note where they may leave triangles of this quality (equation 4) or less.
     /// The mesh update knows the quality of the stars that it leaves, so that this costs next to
     /// nothing.
-    void watch_quality(double quality) { executor_->watch_quality(quality); }
+    void watch_quality(double quality);
     /// Vertices whose stars hold all triangles of the watched quality or less that steps have made
     /// or changed since the last call, and some others; with duplicates, and some may have
     /// vanished. `no_id` is among them if the mesh is another: by `renumber`, or created and
     /// merged. What the application does between steps belongs to the next one. Valid until the
     /// next call. O(their number).
-    [[nodiscard]] std::span<const std::uint32_t> take_poor() { return executor_->take_poor(); }
+    [[nodiscard]] std::span<const std::uint32_t> take_poor();
 
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
     /// its pass at the end of the remeshing. Between two steps. Throws InputError if the stage does
@@ -227,9 +181,7 @@ public:
     /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
     /// Their number. O(submeshes); as much as `interface` where phases are advected.
-    [[nodiscard]] std::size_t interface_size() const {
-        return options_.advected_phases.empty() ? executor_->interface_size() : interface().size();
-    }
+    [[nodiscard]] std::size_t interface_size() const;
 
 private:
     void transfer(Archive& archive);

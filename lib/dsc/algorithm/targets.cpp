@@ -2,6 +2,7 @@
 #include "dsc/algorithm/executor.h"
 
 #include "dsc/base/room.h"
+#include "dsc/passes/work.h"
 
 #include <cmath>
 

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The words that all other files use: names of enum values, scalars, points, handles, corners, and
-// the answers of guards.
+// The words that all other files use: points, phases, handles and corners.
 #pragma once
 
 #include <Eigen/Core>
 
-#include <array>
 #include <compare>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <type_traits>
 
 namespace dsc {
 
@@ -101,95 +94,5 @@ struct Unmovable {
     Unmovable(const Unmovable&) = delete;
     Unmovable& operator=(const Unmovable&) = delete;
 };
-
-// --- the values of an enum with their names, as one table that stands beside the enum ------------
-// Printing, parsing, help texts and tests all use this table.
-
-/// One value of an enum, and what it is called on command lines and in files.
-template <class Enum>
-struct Named {
-    Enum value;            ///< the value itself
-    std::string_view name; ///< in lower case, with underscores
-};
-/// Deduces the enum from a literal.
-template <class Enum>
-Named(Enum, const char*) -> Named<Enum>;
-
-/// All values of an enum, each once, in the order in which they are declared.
-template <class Enum, std::size_t n>
-using EnumTable = std::array<Named<Enum>, n>;
-
-/// The name of a value; "unknown" for a number that is no value of the enum. O(n).
-template <class Enum, std::size_t n>
-[[nodiscard]] constexpr std::string_view name_in(const EnumTable<Enum, n>& table,
-                                                 std::type_identity_t<Enum> value) {
-    for (const auto& one : table) {
-        if (one.value == value) {
-            return one.name;
-        }
-    }
-    return "unknown";
-}
-
-/// The value of this name; none if there is no such value. O(n).
-template <class Enum, std::size_t n>
-[[nodiscard]] constexpr std::optional<Enum> value_in(const EnumTable<Enum, n>& table,
-                                                     std::string_view name) {
-    for (const auto& one : table) {
-        if (one.name == name) {
-            return one.value;
-        }
-    }
-    return std::nullopt;
-}
-
-/// All names as "a, b, c", for messages and help texts.
-template <class Enum, std::size_t n>
-[[nodiscard]] std::string names_in(const EnumTable<Enum, n>& table) {
-    std::string names;
-    for (const auto& one : table) {
-        names += names.empty() ? "" : ", ";
-        names += one.name;
-    }
-    return names;
-}
-
-// --- the answers of guards -----------------------------------------------------------------------
-
-/// The answer of a guard, and of the operation behind it: the restriction (thesis, section 6.5)
-/// that stops it. Anything but `legal` means that the complex was left untouched. Guards test in
-/// the order of this list and return the first restriction that stops the operation.
-enum class Verdict : std::uint8_t {
-    legal,
-    not_a_simplex,        ///< the handle names nothing that lives in the complex
-    on_boundary,          ///< would change the shape of the domain
-    on_submesh_boundary,  ///< touches a simplex that another submesh owns (thesis, section 6.4)
-    on_interface,         ///< would change the interface (thesis, section 6.5)
-    locked,               ///< a vertex that would vanish or move is locked by the application
-    changes_topology,     ///< would make a phase vanish, pinch it, or break the complex
-    not_a_simple_polygon, ///< local retriangulation: the trace is not one simple polygon (thesis,
-                          ///< section 7.3)
-    inverts,              ///< a triangle would turn over or lose its area
-    no_gain,              ///< legal, but the quality would not rise (smoothing, improvement)
-    out_of_ids,           ///< the pool of a submesh is empty; another colour does the operation
-};
-
-inline constexpr std::array verdict_names{
-    Named{Verdict::legal, "legal"},
-    Named{Verdict::not_a_simplex, "not_a_simplex"},
-    Named{Verdict::on_boundary, "on_boundary"},
-    Named{Verdict::on_submesh_boundary, "on_submesh_boundary"},
-    Named{Verdict::on_interface, "on_interface"},
-    Named{Verdict::locked, "locked"},
-    Named{Verdict::changes_topology, "changes_topology"},
-    Named{Verdict::not_a_simple_polygon, "not_a_simple_polygon"},
-    Named{Verdict::inverts, "inverts"},
-    Named{Verdict::no_gain, "no_gain"},
-    Named{Verdict::out_of_ids, "out_of_ids"},
-};
-
-[[nodiscard]] constexpr std::string_view to_string(Verdict verdict) {
-    return name_in(verdict_names, verdict);
-}
 
 } // namespace dsc

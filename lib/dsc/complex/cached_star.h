@@ -6,6 +6,7 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/gather.h"
+#include "dsc/complex/records.h"
 #include "dsc/complex/submesh.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/records.h"
 #include "dsc/complex/rewire.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The data structure: a triangulated domain whose triangles carry phases. The interface, the domain
 // boundary and the submesh boundary are derived from it, never stored twice (thesis, section 8.6).
-//
-// Triangles and vertices are contiguous records of 32 bytes (vertices of float: 24). The complex
+// The complex
 // owns connectivity, phases, positions and the attributes; algorithms are free functions.
 #pragma once
 
@@ -10,61 +9,14 @@
 #include "dsc/complex/attributes.h"
 #include "dsc/complex/edit_log.h"
 #include "dsc/complex/ids.h"
+#include "dsc/complex/records.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace dsc {
-
-/// Bits of `VertexRecord::flags`.
-enum VertexFlag : std::uint32_t {
-    vertex_dead = 1U,   ///< the id is free
-    vertex_locked = 2U, ///< the application forbids it to move or vanish
-    /// This bit and the next count the steps in which the vertex did not arrive, up to three. A
-    /// vertex with both bits set is in contact: until it arrives, each step tries it only once.
-    vertex_missed = 4U,
-    vertex_contact = 12U,
-    vertex_feature = 16U, ///< of the interface: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U,  ///< it was moved or postponed, and has not arrived yet
-};
-
-/// A triangle, by id.
-struct TriangleRecord {
-    std::array<std::uint32_t, 3> v; ///< vertices, counter-clockwise; v[0] == no_id: the id is free
-    std::array<Corner, 3> n;        ///< the corner on the other side of the edge opposite to v[i]
-    Phase phase;                    ///< of the material
-    std::uint32_t mark;             ///< scratch of algorithms; holds no state between calls
-};
-static_assert(sizeof(TriangleRecord) == 32);
-
-/// A vertex, by id.
-template <class Real>
-struct VertexRecord {
-    Real x;              ///< position, in units of the domain
-    Real y;              ///< position, in units of the domain
-    Corner corner;       ///< any corner at this vertex; no_id while it has no triangle
-    std::uint32_t flags; ///< VertexFlag
-    std::uint32_t stamp; ///< scratch of the active set
-    std::uint32_t slot;  ///< scratch of the active set
-};
-static_assert(sizeof(VertexRecord<double>) == 32);
-
-// Coordinates of a vertex that another submesh may be moving at this moment: such a vertex always
-// fails the test of ownership, so the order of reads and writes does not matter, but none may tear.
-
-/// Reads without tearing; any value that was there at some moment.
-template <class Real>
-Real read_shared(const Real& value) {
-    return std::atomic_ref<Real>(const_cast<Real&>(value)).load(std::memory_order_relaxed);
-}
-/// Writes without tearing.
-template <class Real>
-void write_shared(Real& value, Real next) {
-    std::atomic_ref<Real>(value).store(next, std::memory_order_relaxed);
-}
 
 /// Whether a simulation works on a complex. This belongs to the object, not to its value: a complex
 /// made from another one is free, and assignment changes nothing.
@@ -192,13 +144,13 @@ public:
     }
     /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
     void set_locked(Vertex v, bool locked) { set_flag(v, vertex_locked, locked); }
-    /// Whether it is a corner of the interface: it is kept, and the curve has no tangent there.
+    /// Whether it is a feature of the interface: it is kept, and the curve has no tangent there.
     [[nodiscard]] bool is_feature(Vertex v) const {
         return (vertices[v.id].flags & vertex_feature) != 0;
     }
-    /// Makes a vertex of the interface a corner, or an ordinary point of its curve. The next step
+    /// Makes a vertex of the interface a feature, or an ordinary point of its curve. The next step
     /// takes account of it; O(1).
-    void set_corner(Vertex v, bool corner) { set_flag(v, vertex_feature, corner); }
+    void set_feature(Vertex v, bool feature) { set_flag(v, vertex_feature, feature); }
 
     // --- ids ----------------------------------------------------------------------------------
     /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns
@@ -254,32 +206,6 @@ template <class Real>
 Complex<Real> make_complex(std::span<const Point<Real>> points,
                            std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Phase> phases);
-
-// --- numbering along a space-filling curve -------------------------------------------------------
-// The order in memory matters more than any layout: 2.5 ns per triangle in good order against 60 ns
-// in random order, at 2.8 million triangles. D. Hilbert, "Ueber die stetige Abbildung einer Linie
-// auf ein Flaechenstueck" (1891); the bitwise walk through the curve is that of H. S. Warren,
-// "Hacker's Delight", chapter 16.
-
-/// The distance along the Hilbert curve of order 32 through the 2^32 x 2^32 grid. Cells that follow
-/// each other on the curve share a side.
-[[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y);
-
-/// The new id of each old one; no_id if the old id was free.
-struct Renumbering {
-    std::vector<std::uint32_t> vertices;  ///< by old vertex id
-    std::vector<std::uint32_t> triangles; ///< by old triangle id; the border, 0, stays
-};
-
-/// Renumbers vertices along a Hilbert curve by their positions, triangles by the smallest of their
-/// new vertices, and drops the free ids. Unused vertices stay. A triangle keeps its corners 0, 1,
-/// 2; attributes are permuted with their simplices. All earlier handles and corners become invalid.
-/// The new order depends on the old one only where vertices coincide or triangles begin at another
-/// of their corners. O(n log n); works in place, with 16 extra bytes per vertex and 8 per triangle
-/// (and the copy of one attribute at a time). Noted in the journal: a simulation of this complex
-/// adopts the new ids before its next step; must not be called during a step.
-template <class Real>
-Renumbering renumber(Complex<Real>& complex);
 
 // --- as bytes ------------------------------------------------------------------------------------
 

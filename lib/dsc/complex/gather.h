@@ -6,6 +6,7 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
+#include "dsc/complex/records.h"
 #include "dsc/complex/submesh.h"
 
 #include <array>

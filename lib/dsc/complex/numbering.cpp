@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/complex/complex.h"
 
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/complex/rewire.h"
 

@@ -9,6 +9,7 @@
 
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
+#include "dsc/complex/records.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/triangle.h"
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "dsc/complex/complex.h"
+#include "dsc/complex/records.h"
 
 #include <limits>
 #include <utility>

@@ -2,6 +2,7 @@
 #include "dsc/initial/initial_complex.h"
 
 #include "dsc/base/error.h"
+#include "dsc/complex/numbering.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"

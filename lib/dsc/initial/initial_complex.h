@@ -9,6 +9,7 @@
 // consists of the outlines or curves and nothing else.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/complex/complex.h"
 #include "dsc/sizes/sizes.h"
 

@@ -5,6 +5,7 @@
 // estimate, or one of another order.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 

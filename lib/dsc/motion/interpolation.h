@@ -4,6 +4,7 @@
 // neighbours by chord length preserves the curve.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
 #include <functional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/operations/edge_collapse.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
 

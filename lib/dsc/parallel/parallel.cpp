@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/parallel.h"
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/algorithm.h"
 
 #include <type_traits>
 

@@ -6,7 +6,9 @@
 // those of any other phase to the interface (figure 8.3) and its remeshing.
 #pragma once
 
+#include "dsc/base/verdict.h"
 #include "dsc/passes/edits.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>

@@ -5,9 +5,11 @@
 // from the log (readers.h).
 #pragma once
 
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 
 namespace dsc {
 

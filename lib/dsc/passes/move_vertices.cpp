@@ -2,8 +2,10 @@
 #include "dsc/passes/algorithm.h"
 
 #include "dsc/motion/movement.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/waiting.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 

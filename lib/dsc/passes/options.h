@@ -4,6 +4,7 @@
 // 4 of the thesis (0 to 1).
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"

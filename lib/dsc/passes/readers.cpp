@@ -4,7 +4,10 @@
 #include "dsc/base/room.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/gather.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/work.h"
 #include "dsc/queries/phases.h"
 
 #include <algorithm>

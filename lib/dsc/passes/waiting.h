@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 

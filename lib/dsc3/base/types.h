@@ -5,6 +5,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

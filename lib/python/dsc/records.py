@@ -59,7 +59,7 @@ class Event(namedtuple("Event", "kind time place lost taken area")):
 
     Attributes
     ----------
-    kind : {'merge', 'split', 'meet', 'widen', 'exchange', 'fill', 'remove'}
+    kind : {'merge', 'split', 'meet', 'widen', 't1', 'fill', 'remove'}
         A film of one phase opened between two pieces of another one, a neck closed, two phases
         border on each other now, an earlier film opened farther, a vertex of too many sectors came
         apart, a piece of phase 0 vanished, a piece of another phase did.

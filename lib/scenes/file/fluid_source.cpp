@@ -2,6 +2,7 @@
 #include "scenes/file/fluid_source.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 
 #include <array>
 

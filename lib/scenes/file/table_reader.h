@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "scenes/file/excerpt.h"
 

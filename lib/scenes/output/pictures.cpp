@@ -2,6 +2,7 @@
 #include "scenes/output/pictures.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/io/pictures.h"
 #include "dsc/quality/measures.h"

@@ -2,6 +2,7 @@
 // A frame as a picture: the colouring of triangles, and the lines drawn on them.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/output/submesh_map.h"
 
+#include "dsc/parallel/submesh_view.h"
 #include "scenes/file/text_file.h"
 
 #include <nlohmann/json.hpp>

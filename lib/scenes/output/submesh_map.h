@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include <string>
 

@@ -2,8 +2,12 @@
 // A run by the library's method, in either precision.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/queries/phases.h"
 #include "geometric_flows/growth.h"
 #include "geometric_flows/growth_features.h"

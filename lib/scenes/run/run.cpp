@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/quality/measures.h"
 #include "measures/interface_outlines.h"
 #include "measures/mesh_quality.h"

@@ -4,6 +4,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/parallel/executors.h"
 #include "topology/stage.h"
 
 namespace dsc::scenes {

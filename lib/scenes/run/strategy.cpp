@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/run/strategy.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/parallel/executors.h"
+#include "dsc/passes/algorithm.h"
 #include "scenes/file/excerpt.h"
 #include "thesis/divisions.h"
 

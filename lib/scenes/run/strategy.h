@@ -2,7 +2,10 @@
 // The strategies by their names on the command line, and the executors behind them.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/passes/algorithm.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/space/run.h"
 
+#include "dsc/base/names.h"
 #include "dsc3/dsc3.h"
 #include "scenes/keys.h"
 #include "scenes/output/machine.h"

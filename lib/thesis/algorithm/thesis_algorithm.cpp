@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/algorithm/thesis_algorithm.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/operations/edge_flip.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "thesis/operations/local_retriangulation.h"
 #include "thesis/operations/loop_subdivision.h"

@@ -6,7 +6,9 @@
 #pragma once
 
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/work.h"
 #include "thesis/algorithm/selection.h"
 
 namespace dsc {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/copies/copy_executor.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/base/timer.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/interface/list.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,12 @@
 // (dsc/parallel/in_place/submesh_executor.h).
 #pragma once
 
+#include "dsc/algorithm/executor.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/work.h"
 #include "thesis/copies/copied_submeshes.h"
 
 #include <exception>

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/divisions/blocks.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/parallel/executors.h"
+#include "dsc/passes/algorithm.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 // take three colours, each shifted by a third, and no point lies near the boundaries of all three.
 #pragma once
 
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 
 namespace dsc {

@@ -4,6 +4,7 @@
 // slab; the first and the last black slab form one submesh.
 #pragma once
 
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 
 #include <span>

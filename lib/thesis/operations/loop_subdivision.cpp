@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "thesis/operations/loop_subdivision.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/predicates.h"

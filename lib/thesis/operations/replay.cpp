@@ -5,6 +5,7 @@
 #include "thesis/sets/insertion_removal.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 
 #include <algorithm>
 #include <array>

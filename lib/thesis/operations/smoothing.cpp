@@ -2,6 +2,7 @@
 #include "thesis/operations/smoothing.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/points.h"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc/base/types.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/landing.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"

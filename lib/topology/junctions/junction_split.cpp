@@ -145,7 +145,7 @@ private:
 
     bool leave(std::size_t k) {
         const Point<Real> place = complex_.position(v_);
-        Event event{.kind = EventKind::exchange,
+        Event event{.kind = EventKind::t1,
                     .time = work_.time,
                     .x = static_cast<double>(place.x()),
                     .y = static_cast<double>(place.y()),

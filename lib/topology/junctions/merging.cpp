@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/junctions/merging.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/junctions/opening.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/geometry/points.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"

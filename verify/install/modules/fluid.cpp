@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <dsc/dsc.h>
-#include <fluid/fluid.h>
+#include <dsc/fluid/fluid.h>
 
 #include <cmath>
 #include <iostream>

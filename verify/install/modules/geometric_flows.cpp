@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A disc grows, and moves by its curvature. The module's page shows it.
-#include <dsc/dsc.h>
-#include <geometric_flows/geometric_flows.h>
+#include <dsc/engine.h>
+#include <dsc/geometric_flows/geometric_flows.h>
 
 #include <cmath>
 #include <iostream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <dsc/dsc.h>
-#include <replay/replay.h>
+#include <dsc/replay/replay.h>
 
 #include <iostream>
 #include <span>
@@ -24,6 +24,7 @@ int main() {
         simulation.step(velocity, 0.02 * step, 0.02);
     }
     const dsc::ReplayReport report = dsc::replay<double>(again, edits);
-    std::cout << report.done << " edits repeated, " << report.skipped << " skipped\n";
+    std::cout << report.done << " edits repeated, " << report.skipped << " skipped; "
+              << dsc::mesh_hash(complex) << '\n';
     return dsc::mesh_hash(again) == dsc::mesh_hash(complex) ? 0 : 1;
 }

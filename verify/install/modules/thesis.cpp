@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A square moves to the right by algorithm 5.1 of the thesis. The module's page shows it.
 #include <dsc/dsc.h>
-#include <thesis/thesis.h>
+#include <dsc/thesis/thesis.h>
 
 #include <algorithm>
 #include <iostream>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two discs that grow until they are one.
 #include <dsc/dsc.h>
-#include <topology/topology.h>
+#include <dsc/topology/topology.h>
 
 #include <cmath>
 #include <iostream>

@@ -3,6 +3,7 @@
 // handle. The same seed gives the same complex on every machine.
 #pragma once
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/complex.h"
 

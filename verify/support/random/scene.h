@@ -5,6 +5,7 @@
 
 #include "support/environment.h"
 
+#include "dsc/base/names.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"

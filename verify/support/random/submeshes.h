@@ -6,6 +6,7 @@
 #include "../enum_values.h"
 #include "scene.h"
 
+#include "dsc/base/names.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/passes/algorithm.h"

@@ -2,7 +2,9 @@
 // A simulation in which the topology may change: the stage and its options travel with it.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
+#include "dsc/parallel/executors.h"
 #include "dsc/parallel/parallel.h"
 #include "topology/stage.h"
 

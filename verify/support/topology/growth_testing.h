@@ -4,6 +4,7 @@
 
 #include "support/simulation_testing.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/initial/initial_complex.h"
 #include "geometric_flows/growth_features.h"
 #include "measures/interface_outlines.h"

@@ -2,6 +2,7 @@
 #include "dsc/initial/build/insertion.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_flip.h"

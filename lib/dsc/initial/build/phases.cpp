@@ -2,6 +2,7 @@
 #include "dsc/initial/build/interface.h"
 
 #include "dsc/base/error.h"
+#include "dsc/base/names.h"
 #include "dsc/queries/phases.h"
 
 namespace dsc::initial {

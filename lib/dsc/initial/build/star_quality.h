@@ -3,6 +3,7 @@
 // equation 4. In doubles, since the improvement compares values that lie close together.
 #pragma once
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/initial/build/insertion.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/initial/improve/refinement.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/triangle.h"
 #include "dsc/initial/rounding.h"

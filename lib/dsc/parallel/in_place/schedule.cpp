@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/schedule.h"
+#include "dsc/base/timer.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include <algorithm>
 

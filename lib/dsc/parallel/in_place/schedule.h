@@ -5,6 +5,7 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/submesh_view.h"
 #include "dsc/parallel/threads/thread_pool.h"
 
 #include <atomic>

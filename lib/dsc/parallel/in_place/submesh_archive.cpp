@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Archives what the executor keeps from one step to the next: the partition, when it was made, and
 // each submesh with its list and its active set.
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/submesh_part.h"
 

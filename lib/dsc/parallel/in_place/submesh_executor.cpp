@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/parallel/in_place/submesh_part.h"
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
+#include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"
 
 #include <algorithm>

@@ -7,11 +7,16 @@
 #pragma once
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/base/timer.h"
 #include "dsc/parallel/in_place/schedule.h"
 #include "dsc/parallel/parallel.h"
 #include "dsc/parallel/partition/partition.h"
+#include "dsc/parallel/submesh_view.h"
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
+#include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/work.h"
 
 namespace dsc {
 

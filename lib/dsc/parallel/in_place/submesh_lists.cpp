@@ -3,6 +3,8 @@
 // submesh that owns it.
 #include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/work.h"
 
 namespace dsc {
 

@@ -2,8 +2,10 @@
 // One submesh, as the executor's files share it.
 #pragma once
 
+#include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/interface_sight.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
+#include "dsc/passes/work.h"
 
 namespace dsc {
 

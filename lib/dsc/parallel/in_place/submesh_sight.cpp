@@ -3,8 +3,10 @@
 // submeshes must be at the same stage, so they are integrated together. An `InterfaceFlow` is
 // called submesh by submesh, in parallel; a `VelocityAtOnce` and an `InterfaceMotion` are called
 // once.
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/room.h"
 #include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/passes/work.h"
 
 namespace dsc {
 

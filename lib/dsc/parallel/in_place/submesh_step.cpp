@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A step: the tasks of the submeshes, what they defer, and the serial work at the end.
+#include "dsc/algorithm/executor.h"
 #include "dsc/base/room.h"
+#include "dsc/base/timer.h"
 #include "dsc/parallel/in_place/submesh_part.h"
+#include "dsc/parallel/submesh_view.h"
+#include "dsc/passes/deferred.h"
 #include "dsc/passes/readers.h"
+#include "dsc/passes/work.h"
 
 #include <algorithm>
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "dsc/parallel/parallel.h"
+#include "dsc/parallel/submesh_view.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/boundary.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/sizes/rule.h"
 

@@ -9,6 +9,7 @@
 #include "dsc/complex/ranges.h"
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/mesh/star.h"
+#include "dsc/passes/work.h"
 #include "dsc/sizes/rule.h"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
+#include "dsc/base/verdict.h"
 #include "dsc/motion/movement.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
@@ -8,6 +9,7 @@
 #include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/mesh/star.h"
 #include "dsc/passes/waiting.h"
+#include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 
 #include <algorithm>

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// What a pass works on: one for the whole complex, or one for each submesh.
+#pragma once
+
+#include "dsc/base/archive.h"
+#include "dsc/base/types.h"
+#include "dsc/complex/cached_star.h"
+#include "dsc/complex/complex.h"
+#include "dsc/complex/gather.h"
+#include "dsc/complex/submesh.h"
+#include "dsc/motion/integrator.h"
+#include "dsc/passes/deferred.h"
+#include "dsc/passes/options.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace dsc {
+
+/// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
+template <class Real>
+struct Trajectory {
+    std::vector<Point<Real>> positions; ///< now
+    std::vector<Point<Real>> targets;   ///< at the end of the sub-step
+    std::vector<std::uint8_t> held;     ///< not 0: the velocity is not finite, the vertex stays
+    IntegratorScratch<Real> scratch;    ///< `first`: the velocities
+    Real dt = 0;                        ///< the time in which the targets are to be reached
+};
+
+template <class Real>
+struct Pass;
+
+/// What one submesh holds while a step runs, and a pass works on: the interface vertices that lie
+/// in it, the active set (the vertices whose star changed), the log of its edits, and what it
+/// leaves to another submesh. The sequential driver has one, the parallel driver one for each
+/// submesh. Nothing here grows with the mesh.
+template <class Real>
+struct Work : Unmovable {
+    /// Refers to both: the executor that owns the work keeps a copy of the options.
+    Work(Complex<Real>& complex_in, const Options<Real>& options_in)
+        : complex(complex_in),
+          options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {}
+
+    Complex<Real>& complex;       ///< the complex that is worked on
+    const Options<Real>& options; ///< those of the simulation
+    EditLog log;                  ///< the edits made here
+    Submesh<Real> submesh;        ///< notes in `log`
+
+    std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
+    Trajectory<Real> trajectory;          ///< of the interface vertices
+    std::vector<MovingVertex<Real>> moving_vertices; ///< they have yet to reach their targets
+    /// Stars that the interface remeshing has left as they are, in the order of `interface`:
+    /// movement need not walk round them again. Of no use once a pass of motion has been run.
+    std::vector<CachedStar> stars;
+    std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
+    std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
+    /// Squared quality at or below which the mesh update lists a star in `poor`; -1: in no case.
+    double watched_quality = -1;
+    /// Vertices in whose stars the mesh update has left triangles that are so poor, or that it has
+    /// not examined after their last edit; with duplicates.
+    std::vector<std::uint32_t> poor;
+    /// Vertices to be looked at in the next mesh update because the target length of edges changes
+    /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
+    std::vector<std::uint32_t> resized;
+
+    Real time = 0; ///< at the start of the sub-step
+    /// What the sub-step is expected to last; it may become shorter or, if the flow turns out to be
+    /// slower than in the last one, longer.
+    Real dt = 0;
+
+    /// What the submesh boundary kept this submesh from doing: left to another colour (the
+    /// submeshes that run at another time).
+    DeferredQueue<Real> deferred;
+
+    /// Changes of the interface by passes of an application: see `run_pass`.
+    std::vector<std::uint32_t> changed_interface;
+
+    /// The executor's passes of remeshing: those with a `watch` are shown stars by the first one.
+    std::span<const Pass<Real>> remeshing;
+
+    std::size_t progressed =
+        0;                   ///< moving vertices that came nearer to their targets in the last pass
+    std::size_t arrived = 0; ///< how many of these reached them
+
+    // Scratch, kept so that nothing is allocated from step to step.
+    Star<Real> star;                           ///< the star under examination
+    Star<Real> other_star;                     ///< and a second one
+    std::vector<Corner> candidates;            ///< edges to be tested for the Delaunay condition
+    std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
+    std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
+
+    /// Puts a vertex into the active set, unless it is there already.
+    void activate(std::uint32_t vertex) {
+        auto& record = complex.vertices[vertex];
+        if (record.stamp != epoch) {
+            record.stamp = epoch;
+            active.push_back(vertex);
+        }
+    }
+};
+
+/// The interface, the active set and what else waits for the next step; everything else of a work
+/// is scratch, or empty between two steps. To be called after the complex has been read: throws
+/// FileError for an id that it does not have.
+template <class Real>
+void archive(Archive& archive, Work<Real>& work) {
+    archive(work.interface, work.active, work.resized, work.epoch, work.time, work.dt);
+    for (const auto* list : {&work.interface, &work.active, &work.resized}) {
+        expect_vertices<Real>(archive, work.complex, *list);
+    }
+    for (const std::uint32_t v : work.interface) {
+        archive.expect(work.complex.is_alive(Vertex{v}), "lists a vertex that does not live");
+    }
+}
+
+} // namespace dsc
