@@ -22,7 +22,7 @@ struct Lens {
 [[nodiscard]] ExactShape lens_shape(const Lens& lens);
 
 /// Four phases that meet in one point at time 0, along straight interfaces at the angles theta,
-/// pi - theta, pi + theta and -theta to the x axis. If the point comes apart so that the upper and
+/// pi - theta, pi + theta and -theta to the x axis. If the point splits so that the upper and
 /// the lower phase touch no more, an edge of length c sqrt(t) opens along the x axis, between two
 /// junctions of 120 degrees, and all stays similar to itself: the curve that leaves the right
 /// junction upwards is y = sqrt(t) u(x / sqrt(t)) with

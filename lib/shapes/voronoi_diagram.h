@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A Voronoi diagram by numbers: which cells meet at which vertex. Each vertex is computed once, in
-// one way, so that all cells around it agree to the bit.
+// one way, so that it is bitwise identical in all cells around it.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"

@@ -54,7 +54,7 @@ TEST_F(Pieces, EditsAreHeardAndReplayed) {
     // ... steps ...
     simulation.step(outwards, 0, 0.1);
     dsc::write_edits("run.edits", edits);
-    dsc::replay<double>(first_complex, edits); // the same mesh, to the bit
+    dsc::replay<double>(first_complex, edits); // the same mesh, bit for bit
 
     EXPECT_FALSE(edits.empty());
     EXPECT_EQ(mesh_hash(first_complex), mesh_hash(complex));

@@ -54,7 +54,7 @@ TEST(MeshQuality, IsThatOfTheWorstTriangleWhereverItIs) {
     }
 }
 
-// Most triangles are passed over by a bound: the answer is that of a look at each, to the bit.
+// A bound rules out most triangles: the answer is bitwise identical to that of a look at each.
 template <class Real>
 void expect_a_look_at_each(double size) {
     std::mt19937 random(1);
@@ -124,7 +124,7 @@ TEST(QualityWatch, LooksAtWhatStagesDo) {
     }
 }
 
-// After every step the same as a look at the whole mesh, to the bit.
+// After every step bitwise identical to a look at the whole mesh.
 template <class Real>
 void expect_a_look_at_all(const Options<Real>& options, const Division* division,
                           const TopologyOptions<Real>& topology = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh of every scene, strategy, precision and number of threads, to the bit, against a table
+// The mesh of every scene, strategy, precision and number of threads, bit for bit, against a table
 // (mesh_hashes.txt). A change that is to change no result is held to it; a change that is to
 // change one replaces the entries that it changes, and says why.
 //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Junctions inside and at the sides of the domain: four sectors that come apart, ends of curves
+// Junctions inside and at the sides of the domain: four sectors that split, ends of curves
 // that meet on the domain boundary, junctions that reach it, and corners; and to whom small pieces
 // go.
 
@@ -98,7 +98,7 @@ TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
          1,
          1},
         {"two sides of a steep wedge at one place leave it", wedge(0, 5), {1, 3}, 1, 1},
-        {"those of a flat one come apart", wedge(0, 0.5), {2}, 2, 0},
+        {"those of a flat one split", wedge(0, 0.5), {2}, 2, 0},
         {"a short curve to the domain boundary vanishes", wedge(0.1, 1), {2}, 2, 0}};
     for (const Row& row : rows) {
         SCOPED_TRACE(row.what);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wedge at the end of a curve, between the curve and the domain boundary that it ends on, or
 // another curve of the junction, is thin near that end. It is no film, however small its angle. But
-// where the flow presses the curve against the other side, vertex after vertex would be held up:
+// where the flow presses the curve against the other side, vertex after vertex would be blocked:
 // each lands there, and the end of the curve moves on.
 #pragma once
 

@@ -15,7 +15,7 @@ namespace dsc {
 namespace {
 
 /// Two junctions closer than this times the edge length may exchange their neighbours.
-constexpr double exchange_length = 0.15;
+constexpr double t1_length = 0.15;
 /// Bounds the rounds if splits never end; two or three rounds are normally enough.
 constexpr int max_rounds = 8;
 
@@ -41,7 +41,7 @@ class Junctions {
 public:
     explicit Junctions(TopologyWork<Real>& work)
         : work_(work), complex_(work.complex), submesh_(work.complex),
-          shortest_(static_cast<Real>(exchange_length) * work.edge_length) {}
+          shortest_(static_cast<Real>(t1_length) * work.edge_length) {}
 
     void run(std::span<const Candidate> candidates) {
         std::vector<Vertex> list;
@@ -69,7 +69,7 @@ private:
         } else if (here_.is_on_boundary && here_.size() == 2) {
             flip_on_boundary(v);
         } else if (!here_.is_on_boundary && here_.size() == 3) {
-            exchange(v);
+            perform_t1(v);
         }
     }
 
@@ -105,7 +105,7 @@ private:
     [[nodiscard]] bool may(Phase one, Phase other) const { return may_change(work_, one, other); }
 
     // --- inside the domain --------------------------------------------------------------------
-    void exchange(Vertex v) {
+    void perform_t1(Vertex v) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Corner at = here_[i].first; // its ray leads to the next corner
             const Vertex w{complex_.vertex(next(at))};
@@ -114,7 +114,7 @@ private:
             }
             find_sectors(complex_, w, there_);
             const bool wants = there_.is_on_boundary ? there_.size() == 2 && wants_to_boundary(i)
-                                                     : there_.size() == 3 && wants_exchange(i);
+                                                     : there_.size() == 3 && wants_t1(i);
             if (wants && merge(v, w, !there_.is_on_boundary)) {
                 return;
             }
@@ -123,7 +123,7 @@ private:
 
     // Sector i lies to the left of the edge from v to w, sector i - 1 to its right, the third one
     // beyond v; at w the two swap sides. Beyond w lies the one that is neither.
-    bool wants_exchange(std::size_t i) const {
+    bool wants_t1(std::size_t i) const {
         const Sector<Real>& left = here_[i];
         const Sector<Real>& right = here_.before(i);
         const Sector<Real>& near = here_.after(i);
@@ -144,9 +144,9 @@ private:
         const double right_angle = angle_between(right.ray, far.ray);
         const double as_it_is =
             gain(left, near, right, near.angle) + gain(right, far, left, far.angle);
-        const double exchanged =
+        const double after_t1 =
             gain(far, left, near, left_angle) + gain(near, right, far, right_angle);
-        return exchanged < as_it_is - energy_tie;
+        return after_t1 < as_it_is - energy_tie;
     }
 
     [[nodiscard]] double gain(const Sector<Real>& before, const Sector<Real>& sector,
@@ -167,9 +167,9 @@ private:
             return false;
         }
         const double as_it_is = gain(first, beyond, last, beyond.angle);
-        const double exchanged = along(first, beyond, angle_between(there_[0].ray, beyond.ray)) +
-                                 along(last, beyond, angle_between(last.ray, there_.end));
-        return exchanged < as_it_is - energy_tie;
+        const double after_t1 = along(first, beyond, angle_between(there_[0].ray, beyond.ray)) +
+                                along(last, beyond, angle_between(last.ray, there_.end));
+        return after_t1 < as_it_is - energy_tie;
     }
 
     [[nodiscard]] double along(const Sector<Real>& sector, const Sector<Real>& neighbour,
@@ -229,8 +229,8 @@ private:
         }
         const double as_it_is =
             along(before, between, before.angle) + along(after, between, after.angle);
-        const double exchanged = gain(before, between, after, angle_between(one[1].ray, after.ray));
-        return exchanged < as_it_is - energy_tie;
+        const double after_t1 = gain(before, between, after, angle_between(one[1].ray, after.ray));
+        return after_t1 < as_it_is - energy_tie;
     }
 
     TopologyWork<Real>& work_;
