@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For applications: make a complex, choose what matters, move the interface, look at it, write it.
-// Passes, stages, executors and operations of one's own need dsc/engine.h.
+// For applications: make a complex, choose options, move the interface, query it, write it. Custom
+// passes, stages, executors and operations need dsc/engine.h.
 #pragma once
 
 #include "dsc/base/error.h"

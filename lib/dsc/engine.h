@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole library, for those who write passes, stages, executors, partitioners or operations:
-// what dsc.h has, and what it is made of, in reading order.
+// The whole library, to write passes, stages, executors, partitioners or operations: dsc.h and the
+// parts that it is built from, in reading order.
 #pragma once
 
 #include "dsc/dsc.h"

@@ -69,7 +69,7 @@ public:
     Executor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm);
     virtual ~Executor();
 
-    /// The one that was given.
+    /// The complex passed to the constructor.
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
 
     // Between two steps.

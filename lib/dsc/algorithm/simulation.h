@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One time step (thesis, sections 5.6 and 8.10), the stages between its sub-steps, and a run of
-// several steps. The sub-step is the outermost loop: no vertex is asked to move more than a
-// fraction of an edge length at a time, and all passes end before the next sub-step begins.
+// Time steps (thesis, sections 5.6 and 8.10), which are divided into sub-steps with stages in
+// between. The sub-step is the outermost loop: no vertex has to move more than a fraction of an
+// edge length at a time, and all passes end before the next sub-step begins.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -31,7 +31,7 @@ struct Reach;
 template <class Real>
 struct TargetReport;
 
-/// Why a step ended before its time.
+/// Why a step ended early.
 enum class GiveUp : std::uint8_t {
     none,
     too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
@@ -53,8 +53,8 @@ struct StepReport {
     OperationCounts operations;  ///< counts of what was done, by stages as well
     std::uint32_t sub_steps = 0; ///< how many the step was cut into
     std::uint32_t passes = 0;    ///< of movement and mesh update, summed over sub-steps
-    /// Vertices that did not arrive, summed over sub-steps; includes `held`. Those whose piece of a
-    /// phase vanished in the same sub-step are left out: nothing of the interface stays behind.
+    /// Vertices that did not arrive, summed over sub-steps; includes `held`. Vertices whose piece
+    /// of a phase vanished in the same sub-step do not count: no interface remains there.
     std::uint64_t unreached = 0;
     std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
@@ -71,10 +71,11 @@ struct StepReport {
 /// The number of threads, and how the mesh is divided among them; see parallel/parallel.h.
 struct Parallel;
 
-/// Takes a complex for one simulation while it lives. Throws InputError if another has it.
+/// Reserves a complex for one simulation while this object lives. Throws InputError if another
+/// simulation has reserved it.
 class Claim : public Unmovable {
 public:
-    /// Takes the complex that `use` belongs to.
+    /// Reserves the complex that `use` belongs to.
     explicit Claim(InUse& use) : use_(use) {
         use.expect_free();
         use.by_a_simulation = true;
@@ -89,7 +90,7 @@ private:
 /// of the options. Between two steps the application may edit the complex by the public operations
 /// (and `set_position`, `set_phase`, `renumber`): the next step takes account of these changes. Not
 /// thread-safe itself. Only one simulation per complex at a time: the constructors throw InputError
-/// where another simulation of it lives.
+/// if another one exists.
 template <class Real>
 class Simulation : public Unmovable {
 public:
@@ -103,16 +104,16 @@ public:
                std::unique_ptr<Executor<Real>> executor);
     ~Simulation();
 
-    /// The one that was given.
+    /// The complex passed to the constructor.
     [[nodiscard]] Complex<Real>& complex() { return complex_; }
-    /// The same, to be read.
+    /// The same, read-only.
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
-    /// Those of the next step.
+    /// The options of the next step.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range or a stage
-    /// refuses them, and then keeps the old ones. All vertices are visited if edges may grow or
-    /// could, and if other phases are advected; none otherwise.
+    /// refuses them, and then keeps the old ones. All vertices are visited if sizes are or were not
+    /// uniform, or if the advected phases change; otherwise none.
     void set_options(const Options<Real>& options);
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
@@ -126,14 +127,14 @@ public:
     void watch_quality(double quality);
     /// Vertices whose stars hold all triangles of the watched quality or less that steps have made
     /// or changed since the last call, and some others; with duplicates, and some may have
-    /// vanished. `no_id` is among them if the mesh is another: by `renumber`, or created and
-    /// merged. What the application does between steps belongs to the next one. Valid until the
-    /// next call. O(their number).
+    /// vanished. `no_id` is among them if the mesh was replaced, by `renumber` or by create and
+    /// merge. Edits of the application between steps belong to the next step. Valid until the next
+    /// call. O(their number).
     [[nodiscard]] std::span<const std::uint32_t> take_poor();
 
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
-    /// its pass at the end of the remeshing. Between two steps. Throws InputError if the stage does
-    /// not suit the complex or the options, or already belongs to a simulation that lives.
+    /// its pass at the end of the remeshing. Call between two steps. Throws InputError if the stage
+    /// does not suit the complex or the options, or already belongs to a living simulation.
     void add_stage(std::shared_ptr<Stage<Real>> stage);
 
     /// A step gives up after the sub-step in which the flag is set. Null: steps are not
@@ -141,46 +142,46 @@ public:
     void interrupt_by(const std::atomic<bool>* flag) { interrupted_ = flag; }
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and what changes around
-    /// them), never O(mesh), as long as edges are all of one length. Where they may grow, one
-    /// vertex in 32 is visited as well; all are, if targets change in time. Throws InputError if dt
-    /// is negative or not finite; nothing has changed then. What the application's functions throw
-    /// comes out after the edits so far have been reported to the listeners; the complex is valid,
-    /// and the interface somewhere between `time` and time + dt.
+    /// them), never O(mesh), as long as sizes are uniform. Otherwise one vertex in 32 is visited as
+    /// well, or all if targets change in time. Throws InputError if dt is negative or not finite;
+    /// nothing has changed then. Exceptions of the application's functions are rethrown after the
+    /// edits so far have been reported to the listeners; the complex is valid, and the interface
+    /// somewhere between `time` and time + dt.
     StepReport step(const Velocity<Real>& velocity, Real time, Real dt) {
         return step_along(velocity, time, dt);
     }
-    /// The same with a velocity that is called for all of the interface at once
+    /// The same with a velocity that is called once for the whole interface
     /// (motion/interface_flow.h).
     StepReport step(const VelocityAtOnce<Real>& at_once, Real time, Real dt) {
         return step_along(at_once, time, dt);
     }
-    /// The same with a flow that sees the interface (motion/interface_flow.h).
+    /// The same with a flow that depends on the interface (motion/interface_flow.h).
     StepReport step(const InterfaceFlow<Real>& flow, Real time, Real dt) {
         return step_along(flow, time, dt);
     }
-    /// The same with a motion of the whole interface (motion/interface_flow.h). Throws InputError
-    /// if dt is 0 as well: where a velocity moves nothing, a motion would never be called.
+    /// The same with a motion of the whole interface (motion/interface_flow.h). Also throws
+    /// InputError if dt is 0, by which displacements are divided.
     StepReport step(const InterfaceMotion<Real>& motion, Real time, Real dt) {
         return step_along(motion, time, dt);
     }
 
-    /// Between two steps: writes all that the next one depends on, or reads it back into a
+    /// Between two steps: writes all state that the next one depends on, or reads it back into a
     /// simulation that was made in the same way, of a complex that began as the other did, with the
-    /// same options and executor; the steps that follow are then the same to the bit. Listeners are
-    /// not part of it. O(n). Throws FileError if the bytes are of another version of the complex's
-    /// attributes, of the other scalar type, or hold no valid complex: the simulation and its
-    /// complex then go on from where they were, to the same bits. Throws InputError where the
-    /// executor, the partition or an attribute is the application's own and has no such function. A
-    /// file of them: replay/sealed_file.h.
+    /// same options and executor; the steps that follow are then bitwise identical. Listeners are
+    /// not included. O(n). Throws FileError if the bytes are of another version of the complex's
+    /// attributes, of the other scalar type, or hold an invalid complex; the simulation and its
+    /// complex are then unchanged. Throws InputError if a custom executor, partition or attribute
+    /// has no archive function. For files: replay/sealed_file.h.
     void archive(Archive& archive);
 
-    /// To be called when the flow has changed abruptly: integrators with a memory start afresh.
-    /// O(interface vertices) for those, O(1) for all others.
+    /// Call when the flow has changed abruptly: integrators with a memory start afresh. O(interface
+    /// vertices) for those, O(1) for all others.
     void forget();
 
     /// The vertices of the interface, roughly in the order of the curve. O(their number).
     [[nodiscard]] std::vector<std::uint32_t> interface() const;
-    /// Their number. O(submeshes); as much as `interface` where phases are advected.
+    /// The number of interface vertices. O(submeshes); as costly as `interface` if phases are
+    /// advected.
     [[nodiscard]] std::size_t interface_size() const;
 
 private:
@@ -215,9 +216,9 @@ private:
     std::vector<std::shared_ptr<Stage<Real>>> stages_;
     std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
     std::vector<std::uint32_t> gone_;      ///< vertices that stages took off the interface
-    std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep goes on
+    std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep continues
     std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
-    LogReader reading_;                    ///< of the journal, from the beginning to the end
+    LogReader reading_;                    ///< of the journal, while the simulation lives
     std::size_t absorbed_;                 ///< records of the journal that have been read
     const std::atomic<bool>* interrupted_ = nullptr;
     Real max_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`

@@ -2,9 +2,9 @@
 // Stages of a simulation.
 //
 // Serial work between two sub-steps, in the whole complex: changes of topology, an implicit solve,
-// remeshing by a criterion of the application. A stage may bring a pass of its own, which runs in
-// the submeshes at the end of the remeshing and notes what the stage has to know, in an attribute:
-// attributes follow operations, renumbering, copies and checkpoints by themselves.
+// remeshing by a criterion of the application. A stage may add a pass, which runs in the submeshes
+// at the end of the remeshing and stores data for the stage in an attribute: attributes follow
+// operations, renumbering, copies and checkpoints automatically.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -20,7 +20,7 @@ namespace dsc {
 template <class Real>
 class Simulation;
 
-/// What a stage is given.
+/// The arguments of a stage.
 template <class Real>
 struct Between {
     Complex<Real>& complex;                   ///< edits are noted in its journal
@@ -29,12 +29,12 @@ struct Between {
     Real time;                                ///< at the end of the sub-step
     Real dt;                                  ///< the duration of the sub-step
     std::uint64_t unreached;                  ///< vertices that did not arrive in it
-    const InShares& in_shares;                ///< the threads of the step, to share reading among
+    const InShares& in_shares;                ///< the threads of the step, for parallel reading
 };
 
-/// A stage of a simulation. Called by the thread that calls `Simulation::step`; what it throws
-/// comes out of there, and the complex must be valid then. A stage that has to read the edits of
-/// the sub-step adds a listener, which is told before the stage runs.
+/// A stage of a simulation. Runs on the thread that calls `Simulation::step`, which rethrows its
+/// exceptions; the complex must be valid then. A stage that has to read the edits of the sub-step
+/// adds a listener, which is called before the stage runs.
 template <class Real>
 class Stage : public Unmovable {
 public:
@@ -46,18 +46,18 @@ public:
         (void)complex, (void)options;
     }
     /// Called when the stage is added, whenever the options have changed, and after the application
-    /// has renumbered or replaced the complex: attributes may be others then.
+    /// has renumbered or replaced the complex: its attributes may have changed.
     virtual void begin(Complex<Real>& complex, const Options<Real>& options) {
         (void)complex, (void)options;
     }
-    /// The last pass of the remeshing, once a sub-step. Asked for when the stage is added.
+    /// The last pass of the remeshing, once a sub-step. Called when the stage is added.
     [[nodiscard]] virtual std::optional<Pass<Real>> pass() { return {}; }
-    /// Called after each sub-step. Edits are absorbed after the call, and told to the listeners;
-    /// vertices that did not arrive in the sub-step then try again.
+    /// Called after each sub-step. Edits are absorbed after the call, and reported to the
+    /// listeners; vertices that did not arrive in the sub-step are then moved once more.
     virtual void run(const Between<Real>& between) = 0;
     /// Called after the edits are absorbed, for listeners of the stage's own.
     virtual void tell() {}
-    /// Writes what the stage carries from one step to the next, or reads it back; see
+    /// Writes what the stage keeps from one step to the next, or reads it back; see
     /// `Simulation::archive`. Attributes of the complex are archived with the complex.
     virtual void archive(Archive& archive) { (void)archive; }
 

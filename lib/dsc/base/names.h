@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The values of an enum with their names, as one table that stands beside the enum: printing,
-// parsing, help texts and tests all use it.
+// Tables of the values of an enum with their names, defined beside the enum. Printing, parsing,
+// help texts and tests all use them.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// One value of an enum, and what it is called on command lines and in files.
+/// One value of an enum, and its name on command lines and in files.
 template <class Enum>
 struct Named {
     Enum value;            ///< the value itself
@@ -38,7 +38,7 @@ template <class Enum, std::size_t n>
     return "unknown";
 }
 
-/// The value of this name; none if there is no such value. O(n).
+/// The value with this name; empty if there is none. O(n).
 template <class Enum, std::size_t n>
 [[nodiscard]] constexpr std::optional<Enum> value_in(const EnumTable<Enum, n>& table,
                                                      std::string_view name) {

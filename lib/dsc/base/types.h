@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words that all other files use: points, phases, handles and corners.
+// Basic types that all other files use: points, phases, handles and corners.
 #pragma once
 
 #include <Eigen/Core>
@@ -63,7 +63,7 @@ using Corner = std::uint32_t;
 /// Triangle 0 is the border: it stands in for a missing neighbour. Its phase differs from all
 /// others, so "phases differ" means "constrained" for both the interface and the domain boundary.
 inline constexpr std::uint32_t border_triangle = 0;
-/// A corner of the border: what is on the other side of the domain's edges.
+/// A corner of the border: the twin of all corners at edges of the domain boundary.
 inline constexpr Corner border_corner = 0;
 
 /// Ids of triangles are below this: there are four corners for each.

@@ -15,7 +15,7 @@ namespace dsc {
 /// the order of this list and return the first restriction that stops the operation.
 enum class Verdict : std::uint8_t {
     legal,
-    not_a_simplex,        ///< the handle names nothing that lives in the complex
+    not_a_simplex,        ///< the handle names no living simplex of the complex
     on_boundary,          ///< would change the shape of the domain
     on_submesh_boundary,  ///< touches a simplex that another submesh owns (thesis, section 6.4)
     on_interface,         ///< would change the interface (thesis, section 6.5)
@@ -23,7 +23,7 @@ enum class Verdict : std::uint8_t {
     changes_topology,     ///< would make a phase vanish, pinch it, or break the complex
     not_a_simple_polygon, ///< local retriangulation: the trace is not one simple polygon (thesis,
                           ///< section 7.3)
-    inverts,              ///< a triangle would turn over or lose its area
+    inverts,              ///< a triangle would be inverted or degenerate
     no_gain,              ///< legal, but the quality would not rise (smoothing, improvement)
     out_of_ids,           ///< the pool of a submesh is empty; another colour does the operation
 };

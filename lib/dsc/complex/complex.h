@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The data structure: a triangulated domain whose triangles carry phases. The interface, the domain
 // boundary and the submesh boundary are derived from it, never stored twice (thesis, section 8.6).
-// The complex
-// owns connectivity, phases, positions and the attributes; algorithms are free functions.
+// The complex owns connectivity, phases, positions and attributes; algorithms are free functions.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -18,8 +17,8 @@
 
 namespace dsc {
 
-/// Whether a simulation works on a complex. This belongs to the object, not to its value: a complex
-/// made from another one is free, and assignment changes nothing.
+/// Whether a simulation uses a complex. Not part of the complex's value: a copy is free, and
+/// assignment changes nothing.
 class InUse {
 public:
     InUse() = default;
@@ -33,7 +32,7 @@ public:
     InUse& operator=(InUse&& /*other*/) noexcept { return *this; }
     ~InUse() = default;
 
-    /// Throws InputError if a simulation works on it.
+    /// Throws InputError if a simulation uses the complex.
     void expect_free() const;
 
     bool by_a_simulation = false; ///< written by `Simulation`
@@ -49,16 +48,16 @@ public:
 
     /// Without vertices and triangles.
     Complex();
-    /// A value of its own: attributes and free ids included, edits that somebody reads and a
-    /// simulation not.
+    /// An independent copy, with attributes and free ids, but without recorded edits and without a
+    /// simulation.
     Complex(const Complex&) = default;
-    /// The other one is empty afterwards, and may be used again. Ends the program if there is no
-    /// memory for an empty complex.
+    /// The other one is empty afterwards, and may be used again. Terminates the program if there is
+    /// no memory for an empty complex.
     Complex(Complex&& other) noexcept;
-    /// Happens whole or not at all. Handles and references to attributes become invalid; a
-    /// simulation of this complex goes on with what it finds.
+    /// If it throws, nothing has changed. Handles and references to attributes become invalid; a
+    /// simulation of this complex continues with the new mesh.
     Complex& operator=(const Complex& other);
-    /// The same, without a copy; the other one is empty afterwards.
+    /// The same without copying; the other one is empty afterwards.
     Complex& operator=(Complex&& other) noexcept;
     ~Complex() = default;
 
@@ -123,20 +122,20 @@ public:
     [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const;
 
     // --- geometry and phases ------------------------------------------------------------------
-    /// In units of the domain.
+    /// The position of a vertex, in units of the domain.
     [[nodiscard]] Point<Real> position(Vertex v) const {
         return {vertices[v.id].x, vertices[v.id].y};
     }
-    /// Of the three vertices of a triangle, counter-clockwise.
+    /// The positions of the three vertices of a triangle, counter-clockwise.
     [[nodiscard]] std::array<Point<Real>, 3> positions_of(Triangle t) const {
         const auto& v = triangles[t.id].v;
         return {position(Vertex{v[0]}), position(Vertex{v[1]}), position(Vertex{v[2]})};
     }
-    /// Moves a vertex, even if a triangle turns over. Noted in `journal`.
+    /// Moves a vertex, even if a triangle is inverted. Noted in `journal`.
     void set_position(Vertex v, const Point<Real>& p);
     /// The phase of a living triangle.
     [[nodiscard]] Phase phase(Triangle t) const { return triangles[t.id].phase; }
-    /// Noted in `journal`.
+    /// Changes the phase of a living triangle. Noted in `journal`.
     void set_phase(Triangle t, Phase phase);
     /// Whether the application forbids the vertex to move or vanish.
     [[nodiscard]] bool is_locked(Vertex v) const {
@@ -153,7 +152,7 @@ public:
     void set_feature(Vertex v, bool feature) { set_flag(v, vertex_feature, feature); }
 
     // --- ids ----------------------------------------------------------------------------------
-    /// Makes sure that the pool has so many free ids, so that taking them cannot fail. Returns
+    /// Makes sure that the pool has this many free ids, so that taking them cannot fail. Returns
     /// false, and does nothing, if the pool would have to grow and may not. Throws InputError if
     /// there are no more ids; an exception leaves the complex as it was.
     [[nodiscard]] bool have_ids(IdPool& pool, std::size_t vertex_total,
@@ -180,7 +179,7 @@ public:
     /// application; a running simulation reads it before its next step.
     EditLog journal;
 
-    InUse in_use; ///< a second simulation at the same time is refused
+    InUse in_use; ///< refuses a second simulation at the same time
 
     // --- the records themselves: for algorithms of the library --------------------------------
     std::vector<VertexRecord<Real>> vertices; ///< by id
@@ -210,9 +209,9 @@ Complex<Real> make_complex(std::span<const Point<Real>> points,
 // --- as bytes ------------------------------------------------------------------------------------
 
 /// Writes a complex exactly as it is, or reads it back into one that has the same attributes: ids,
-/// free ids in their order, flags, the entries of the attributes, and the edits that nobody has
-/// read yet. Throws FileError for one of the other scalar type, with other attributes, or that is
-/// no valid complex; what was there stays then. References to attributes stay valid. O(n log n).
+/// free ids in their order, flags, the entries of the attributes, and unread edits. Throws
+/// FileError if the bytes hold the other scalar type, other attributes or an invalid complex, and
+/// then leaves the complex unchanged. References to attributes stay valid. O(n log n).
 template <class Real>
 void archive(Archive& archive, Complex<Real>& complex);
 
@@ -220,7 +219,8 @@ void archive(Archive& archive, Edit& edit);
 void archive(Archive& archive, OperationCounts& counts);
 void archive(Archive& archive, FreeIds& ids);
 
-/// Refuses a list with an id that no vertex of the complex has, dead or alive. O(list).
+/// Throws FileError for a list with an id that no vertex of the complex has, dead or alive.
+/// O(list).
 template <class Real>
 void expect_vertices(const Archive& archive, const Complex<Real>& complex,
                      std::span<const std::uint32_t> list);

@@ -19,7 +19,7 @@ enum VertexFlag : std::uint32_t {
     vertex_missed = 4U,
     vertex_contact = 12U,
     vertex_feature = 16U, ///< of the interface: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U,  ///< it was moved or postponed, and has not arrived yet
+    vertex_on_way = 32U,  ///< it was moved or deferred, and has not arrived yet
 };
 
 /// A triangle, by id.
@@ -46,7 +46,7 @@ static_assert(sizeof(VertexRecord<double>) == 32);
 // Coordinates of a vertex that another submesh may be moving at this moment: such a vertex always
 // fails the test of ownership, so the order of reads and writes does not matter, but none may tear.
 
-/// Reads without tearing; any value that was there at some moment.
+/// Reads without tearing: returns a value that the variable had at some moment.
 template <class Real>
 Real read_shared(const Real& value) {
     return std::atomic_ref<Real>(const_cast<Real&>(value)).load(std::memory_order_relaxed);

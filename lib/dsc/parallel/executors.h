@@ -21,27 +21,25 @@ using MakeExecutor = std::unique_ptr<Executor<Real>> (*)(Complex<Real>& complex,
                                                          const Parallel& parallel,
                                                          Algorithm<Real> algorithm);
 
-/// How the mesh is divided into submeshes: in the library's way, in one of a module, or in one of
-/// the application's own.
+/// How the mesh is divided into submeshes: by the library, by a module or by the application.
 struct Division {
     std::string_view name;          ///< on command lines and in files
     std::string_view description;   ///< one sentence, for help texts
-    std::uint32_t submeshes;        ///< if no number is asked for; 0: chosen during the run
+    std::uint32_t submeshes;        ///< the default; 0: chosen during the run
     MakeExecutor<double> in_double; ///< makes its executor
     MakeExecutor<float> in_float;   ///< makes its executor
 };
 
-/// The number of submeshes that results: the number asked for, or the division's default; 0: chosen
-/// during the run.
+/// The number of submeshes: the one requested, or the division's default; 0: chosen during the run.
 [[nodiscard]] std::uint32_t submeshes_of(const Parallel& parallel);
 
-/// The executor for these options, for an algorithm of your own. Throws InputError if the options
-/// make no sense together, or while a simulation of the complex lives.
+/// Makes the executor for these options, for a custom algorithm. Throws InputError if an option is
+/// out of range, or while a simulation of the complex exists.
 template <class Real>
 [[nodiscard]] std::unique_ptr<Executor<Real>>
 make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,
               Algorithm<Real> algorithm = default_algorithm<Real>());
-/// The same with a partitioner of your own, which takes the place of `parallel.division`.
+/// The same with a custom partitioner, which replaces `parallel.division`.
 template <class Real>
 [[nodiscard]] std::unique_ptr<Executor<Real>>
 make_executor(Complex<Real>& complex, const Options<Real>& options, const Parallel& parallel,

@@ -31,13 +31,13 @@ inline constexpr std::array assignment_names{
 
 /// The result depends on the division and the number of submeshes, and on nothing else here.
 struct Parallel {
-    /// 1 to 1024; fewer are used where there is too little to do, or where that takes no longer.
+    /// Largest number of threads, 1 to 1024; fewer are used when more would not be faster.
     std::uint32_t threads = 1;
     const Division* division = &cells_division; ///< how the mesh is divided; outlives the executor
     std::uint32_t submeshes = 0;                ///< 0: the division's own choice
-    bool always_all_threads = false; ///< also if there is too little to do for them, or no gain
-    Assignment assignment = Assignment::queue; ///< which thread runs which submesh
-    bool profile = false;                      ///< measure times: see `SubmeshView`
+    bool always_all_threads = false;            ///< even if fewer would be as fast
+    Assignment assignment = Assignment::queue;  ///< which thread runs which submesh
+    bool profile = false;                       ///< measure times: see `SubmeshView`
 };
 
 } // namespace dsc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the time of a step went, task by task: for the breakdown, for the picture of submeshes by
-// their work, and for the model of more threads than the machine has.
+// The times of a step, task by task: for the breakdown, for the picture of submeshes by their work,
+// and for the model of more threads than the machine has.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -20,9 +20,9 @@ class TaskGraph {
 public:
     /// Forgets all tasks.
     void clear();
-    /// Adds one colour of so many tasks; returns the number of the first.
+    /// Adds one colour of this many tasks; returns the number of the first.
     std::size_t add_colour(std::size_t tasks);
-    /// `task` waits for `earlier`, which has a smaller number. To be called in the order of `task`.
+    /// `task` waits for `earlier`, which has a smaller number. Call in the order of `task`.
     void wait_for(std::size_t task, std::size_t earlier);
 
     /// The number of tasks.
@@ -45,13 +45,13 @@ private:
     std::vector<std::uint32_t> predecessors_;
 };
 
-/// The times of a sub-step, in seconds of a steady clock. On one thread of an idle machine that is
-/// the time of the task itself.
+/// The times of a sub-step, in seconds of a steady clock. On one thread of an idle machine these
+/// are the times of the tasks themselves.
 struct SubStepProfile {
     // Serial parts.
     double set_up = 0;    ///< cuts, lists and ids, before anything runs
     double hand_over = 0; ///< vertices that left their submesh
-    double clean_up = 0;  ///< what all colours left, and updating the lists
+    double clean_up = 0;  ///< what all colours deferred, and updating the lists
     // By task.
     std::vector<double>
         targets;              ///< remeshing, velocities and targets, by submesh of the first colour
@@ -61,19 +61,19 @@ struct SubStepProfile {
     double move_wall = 0;    ///< movement and mesh update
 };
 
-/// What threads have done since the executor was made, in seconds of a steady clock.
+/// The work of threads since the executor was made, in seconds of a steady clock.
 struct ThreadWork {
     double sections_s = 0;        ///< wall time of the parallel sections
-    std::vector<double> busy_s{}; ///< by thread, in them: with a task, rather than waiting for one
+    std::vector<double> busy_s{}; ///< by thread, in these sections: time in tasks, without waiting
 
-    /// How much longer all threads together were busy than a caller that never waits: the busy time
-    /// of a run is its wall time and this. Negative if threads mostly waited.
+    /// The busy time of all threads minus the wall time of the sections: the busy time of a run is
+    /// its wall time plus this. Negative if threads mostly waited.
     [[nodiscard]] double beyond_one() const {
         return std::accumulate(busy_s.begin(), busy_s.end(), -sections_s);
     }
 };
 
-/// What an executor in submeshes shows. All of it changes with the next step.
+/// The state of an executor in submeshes. Valid until the next step.
 struct SubmeshView {
     const Partition& partition;              ///< in force
     const TaskGraph& tasks;                  ///< task i is that of `SubStepProfile::move`
@@ -82,8 +82,8 @@ struct SubmeshView {
     const ThreadWork& work;                  ///< of all steps
 };
 
-/// Of an executor that `make_executor` has made; nothing for one that has no submeshes of this
-/// kind. O(1).
+/// The view of an executor that `make_executor` made; empty for one without submeshes of this kind.
+/// O(1).
 template <class Real>
 [[nodiscard]] std::optional<SubmeshView> submeshes_in(const Executor<Real>& executor);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 5.1 of the thesis as a list of passes. An application replaces, removes or adds passes
-// without touching the drivers; both drivers run the same list: on the whole complex, or on each
+// Algorithm 5.1 of the thesis as a list of passes. An application may replace, remove or add passes
+// without changing the drivers; both drivers run the same list: on the whole complex, or on each
 // submesh.
 #pragma once
 
@@ -12,9 +12,9 @@
 
 namespace dsc {
 
-/// Shown each star of an interface vertex that the interface remeshing has gathered, that the
-/// submesh owns as a whole, and that is left as it is: a pass need not gather it again then. The
-/// centre of a star that changes later in the remeshing is in the active set. Must not edit the
+/// Called with each star of an interface vertex that the interface remeshing has gathered and not
+/// changed, and that the submesh owns as a whole, so that a later pass need not gather it again.
+/// The centre of a star that changes later in the remeshing is in the active set. Must not edit the
 /// complex.
 template <class Real>
 using StarWatch =
@@ -22,8 +22,8 @@ using StarWatch =
 
 /// One pass over the work of one submesh: candidates, guard, edit. It edits with the operations of
 /// lib/dsc/operations and `work.submesh`, which refuse what the submesh does not own, and it must
-/// not keep state between calls. Later passes visit the vertices whose stars it changed, and the
-/// list of the interface is brought up to date: both are read from the log of its edits.
+/// not keep state between calls. The log of its edits is read afterwards: later passes visit the
+/// vertices whose stars changed, and the list of the interface is updated.
 template <class Real>
 struct Pass {
     std::string name;                     ///< a few words, for lists of the passes
@@ -31,7 +31,7 @@ struct Pass {
     /// True for a pass that keeps the active set and the interface list up to date itself, with the
     /// functions of edits.h; its log is then not read.
     bool attends = false;
-    /// Of a pass that comes after the interface remeshing.
+    /// Only for passes that come after the interface remeshing.
     StarWatch<Real> watch = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a submesh may not do, and leaves to another colour.
+// Work that a submesh may not do, and defers to another colour.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -19,44 +19,43 @@ struct MovingVertex {
     std::uint32_t star = no_id; ///< number of its star in `Work::stars`
 };
 
-/// What is left to be done.
+/// The kind of a deferred task.
 enum class DeferredKind : std::uint8_t {
-    star,          ///< a star that must be looked at
+    star,          ///< a star that must be visited
     moving_vertex, ///< a vertex that has yet to reach its target
     remeshing,     ///< an interface vertex at which the interface may have to be split or collapsed
-    listing, ///< an interface vertex that lies in another submesh now, whose list it belongs to
+    listing,       ///< an interface vertex that now lies in another submesh and belongs in its list
 };
 
 /// One entry of the queue.
 template <class Real>
 struct Deferred {
-    /// The route of an entry that no submesh takes: it is left to what runs after all of them.
+    /// The route of an entry that no submesh takes: it is processed serially at the end.
     static constexpr std::uint32_t nowhere = 0xffffffffU;
 
     std::uint32_t vertex;          ///< the vertex concerned
     std::uint32_t route = nowhere; ///< number of the submesh that takes it
     Real x = 0;                    ///< target of a moving vertex
     Real y = 0;
-    DeferredKind kind; ///< what is to be done there
+    DeferredKind kind; ///< the task at the vertex
 
     /// The vertex and its target; only of the kind `moving_vertex`.
     [[nodiscard]] MovingVertex<Real> moving_vertex() const { return {vertex, x, y}; }
 };
 
-/// Not safe for several threads: each submesh has one of its own, and others read it when the
-/// submesh has ended.
+/// Not thread-safe: each submesh has its own queue, and others read it after the submesh has ended.
 template <class Real>
 struct DeferredQueue {
     std::vector<Deferred<Real>> entries; ///< in the order in which they were deferred
     std::size_t routed = 0;              ///< entries before this one have their route
 
-    /// Puts off a look at the star of `v`. Amortised O(1), as are the next three.
+    /// Defers a visit of the star of `v`. Amortised O(1), as are the next three.
     void star(std::uint32_t v) { put(v, DeferredKind::star); }
     /// Defers interface remeshing at `v`.
     void remeshing(std::uint32_t v) { put(v, DeferredKind::remeshing); }
-    /// Leaves `v` to the interface list of the submesh that owns it now.
+    /// Defers `v` to the interface list of the submesh that owns it now.
     void listing(std::uint32_t v) { put(v, DeferredKind::listing); }
-    /// Puts off a movement.
+    /// Defers a movement.
     void moving_vertex(const MovingVertex<Real>& m) {
         entries.push_back(
             {.vertex = m.vertex, .x = m.x, .y = m.y, .kind = DeferredKind::moving_vertex});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pass works on: one for the whole complex, or one for each submesh.
+// The state that passes work on: one for the whole complex, or one for each submesh.
 #pragma once
 
 #include "dsc/base/archive.h"
@@ -19,22 +19,22 @@
 
 namespace dsc {
 
-/// Where the vertices of `Work::interface` are, and where they should move; one entry for each.
+/// The positions and targets of the vertices of `Work::interface`; one entry for each.
 template <class Real>
 struct Trajectory {
     std::vector<Point<Real>> positions; ///< now
     std::vector<Point<Real>> targets;   ///< at the end of the sub-step
     std::vector<std::uint8_t> held;     ///< not 0: the velocity is not finite, the vertex stays
     IntegratorScratch<Real> scratch;    ///< `first`: the velocities
-    Real dt = 0;                        ///< the time in which the targets are to be reached
+    Real dt = 0;                        ///< the time in which vertices move to the targets
 };
 
 template <class Real>
 struct Pass;
 
-/// What one submesh holds while a step runs, and a pass works on: the interface vertices that lie
-/// in it, the active set (the vertices whose star changed), the log of its edits, and what it
-/// leaves to another submesh. The sequential driver has one, the parallel driver one for each
+/// The state of one submesh during a step, on which passes work: the interface vertices that lie in
+/// it, the active set (the vertices whose star changed), the log of its edits, and the work that it
+/// defers to another submesh. The sequential driver has one, the parallel driver one for each
 /// submesh. Nothing here grows with the mesh.
 template <class Real>
 struct Work : Unmovable {
@@ -51,37 +51,37 @@ struct Work : Unmovable {
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Trajectory<Real> trajectory;          ///< of the interface vertices
     std::vector<MovingVertex<Real>> moving_vertices; ///< they have yet to reach their targets
-    /// Stars that the interface remeshing has left as they are, in the order of `interface`:
-    /// movement need not walk round them again. Of no use once a pass of motion has been run.
+    /// Stars that the interface remeshing has not changed, in the order of `interface`, so that
+    /// movement need not walk round them again. Invalid once a pass of motion has run.
     std::vector<CachedStar> stars;
-    std::vector<std::uint32_t> active; ///< vertices whose star must be looked at; no duplicates
+    std::vector<std::uint32_t> active; ///< vertices whose star must be visited; no duplicates
     std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
-    /// Squared quality at or below which the mesh update lists a star in `poor`; -1: in no case.
+    /// Squared quality at or below which the mesh update lists a star in `poor`; -1: never.
     double watched_quality = -1;
-    /// Vertices in whose stars the mesh update has left triangles that are so poor, or that it has
-    /// not examined after their last edit; with duplicates.
+    /// Vertices whose stars have such poor triangles after the mesh update, or were not examined
+    /// after their last edit; with duplicates.
     std::vector<std::uint32_t> poor;
-    /// Vertices to be looked at in the next mesh update because the target length of edges changes
+    /// Vertices to be visited in the next mesh update because the target length of edges changes
     /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
     std::vector<std::uint32_t> resized;
 
     Real time = 0; ///< at the start of the sub-step
-    /// What the sub-step is expected to last; it may become shorter or, if the flow turns out to be
-    /// slower than in the last one, longer.
+    /// The expected duration of the sub-step; it may become shorter or, if the flow is slower than
+    /// in the last one, longer.
     Real dt = 0;
 
-    /// What the submesh boundary kept this submesh from doing: left to another colour (the
-    /// submeshes that run at another time).
+    /// Work that the submesh boundary prevented: deferred to another colour (the submeshes that run
+    /// at another time).
     DeferredQueue<Real> deferred;
 
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    /// The executor's passes of remeshing: those with a `watch` are shown stars by the first one.
+    /// The executor's passes of remeshing: the first one shows stars to those with a `watch`.
     std::span<const Pass<Real>> remeshing;
 
     std::size_t progressed =
-        0;                   ///< moving vertices that came nearer to their targets in the last pass
+        0;                   ///< moving vertices that moved towards their targets in the last pass
     std::size_t arrived = 0; ///< how many of these reached them
 
     // Scratch, kept so that nothing is allocated from step to step.
@@ -89,7 +89,8 @@ struct Work : Unmovable {
     Star<Real> other_star;                     ///< and a second one
     std::vector<Corner> candidates;            ///< edges to be tested for the Delaunay condition
     std::vector<std::uint32_t> interface_next; ///< of the interface list, while it is rebuilt
-    std::vector<std::uint32_t> changed;        ///< on the interface, by the pass that was run last
+    std::vector<std::uint32_t> changed;        ///< vertices that the last pass put on the
+                                               ///< interface, or took off
 
     /// Puts a vertex into the active set, unless it is there already.
     void activate(std::uint32_t vertex) {
@@ -101,9 +102,9 @@ struct Work : Unmovable {
     }
 };
 
-/// The interface, the active set and what else waits for the next step; everything else of a work
-/// is scratch, or empty between two steps. To be called after the complex has been read: throws
-/// FileError for an id that it does not have.
+/// Archives the interface, the active set and other data that the next step needs; the rest of a
+/// work is scratch, or empty between two steps. Call after reading the complex: throws FileError
+/// for an id that it does not have.
 template <class Real>
 void archive(Archive& archive, Work<Real>& work) {
     archive(work.interface, work.active, work.resized, work.epoch, work.time, work.dt);
@@ -111,7 +112,7 @@ void archive(Archive& archive, Work<Real>& work) {
         expect_vertices<Real>(archive, work.complex, *list);
     }
     for (const std::uint32_t v : work.interface) {
-        archive.expect(work.complex.is_alive(Vertex{v}), "lists a vertex that does not live");
+        archive.expect(work.complex.is_alive(Vertex{v}), "interface vertex that is not alive");
     }
 }
 
