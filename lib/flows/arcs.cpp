@@ -9,7 +9,7 @@ namespace dsc::scenes {
 namespace {
 
 constexpr int chords_of_arc = 1 << 13;
-/// Ends nearer to each other are one point up to rounding. Relative to coordinates and radii.
+/// Ends nearer than this, relative to coordinates and radii, coincide up to rounding.
 constexpr double same_point = 1e-13;
 
 Point<double> point_on(const Arc& arc, double angle) {
@@ -50,7 +50,7 @@ void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactSha
             outline.push_back(out_of(frame, from));
             shape.area += (from.x() * to.y() - from.y() * to.x()) / 2;
         }
-        // Segments between chords and arc, with the height of each at its middle.
+        // The area between chords and arc, with the height of each segment at its middle.
         const double step = std::abs(arc.end - arc.begin) / chords_of_arc;
         shape.own_error += chords_of_arc * std::pow(arc.radius, 2) * std::pow(step, 3) / 12;
     }

@@ -8,7 +8,7 @@
 
 namespace dsc::scenes {
 
-/// Counter-clockwise about its centre where `end` is larger than `begin`, else clockwise.
+/// An arc: counter-clockwise about its centre if `end` is larger than `begin`, else clockwise.
 struct Arc {
     Point<double> centre;
     double radius; ///< 0: a point
@@ -22,10 +22,10 @@ struct LocalFrame {
     Point<double> axis{1, 0}; ///< of x, a unit vector
 };
 
-/// Appends the closed curve that runs along the arcs in their order: an outline with its vertices
-/// on the arcs, its area, and the area between the two to `own_error`. A straight side leads from
-/// an arc to the next one unless that begins where the first one ends. Outlines run
-/// counter-clockwise about what they hold. O(arcs).
+/// Appends the closed curve along the arcs in their order: an outline with vertices on the arcs,
+/// and its exact area; adds the area between outline and curve to `own_error`. A straight side
+/// joins the end of an arc to the beginning of the next one, unless they coincide. Outlines run
+/// counter-clockwise around their region. O(arcs).
 void append_arcs(const LocalFrame& frame, const std::vector<Arc>& arcs, ExactShape& shape);
 
 } // namespace dsc::scenes

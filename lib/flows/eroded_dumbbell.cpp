@@ -16,8 +16,8 @@ ExactShape eroded_dumbbell(const Dumbbell& d, double depth) {
     if (depth >= d.radius) {
         return shape;
     }
-    // The right half about the origin: the centres of its disc and its roundings, and the angle
-    // from the axis to a rounding's centre, as seen from the disc's.
+    // The right half, relative to the origin: the centres of its disc and its roundings, and the
+    // angle between the axis and the direction from the disc's centre to a rounding's centre.
     const Point<double> disc(d.distance / 2, 0);
     const Point<double> above(disc.x() - offset.x(), offset.y());
     const Point<double> below(above.x(), -above.y());

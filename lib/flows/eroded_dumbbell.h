@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A dumbbell that shrinks along its normals: the exact shapes by the principle of Huygens, in arcs
-// of circles and straight sides.
+// The exact shapes of a dumbbell that shrinks along its normals, by Huygens' principle: circular
+// arcs and straight sides.
 #pragma once
 
 #include "shapes/outline.h"
@@ -8,11 +8,12 @@
 
 namespace dsc::scenes {
 
-/// The points that are farther than `depth` from the complement. Discs lose that much of their
-/// radius and roundings, whose centres lie outside, gain it. At half the width of the neck its
-/// whole straight length closes at once: from then on there are two lobes, each bounded by an arc
-/// of its disc and two of roundings, which meet on the axis in a tip. Empty once `depth` reaches
-/// the radius of the discs. Throws InputError for an invalid dumbbell.
+/// The points that are farther than `depth` from the complement. The radius of the discs falls by
+/// `depth`, and that of the roundings, whose centres lie outside, grows by it. When `depth` is half
+/// the width of the neck, the straight part of the neck closes at once; then there are two lobes,
+/// each bounded by an arc of its disc and two arcs of roundings, which meet on the axis in a tip.
+/// The shape is empty once `depth` reaches the radius of the discs. Throws InputError for an
+/// invalid dumbbell.
 [[nodiscard]] ExactShape eroded_dumbbell(const Dumbbell& dumbbell, double depth);
 
 } // namespace dsc::scenes

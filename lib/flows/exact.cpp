@@ -16,17 +16,18 @@ namespace {
 
 using std::numbers::pi;
 
-/// New markers are inserted in rounds: each looks at the intervals that the previous one made.
+/// New markers are inserted in rounds: each examines the intervals made by the previous one.
 constexpr int max_rounds = 40;
-/// No more markers are added.
+/// Largest number of markers.
 constexpr std::size_t max_markers = 1U << 20U;
-/// One round cuts an interval into at most this many parts, because its length is only an estimate.
+/// One round divides an interval into at most this many parts, because its length is only an
+/// estimate.
 constexpr double max_parts = 64.0;
 /// The initial number of markers on each smooth piece of a curve.
 constexpr int first_markers = 256;
-/// Points that show how many steps a flow needs, and how close two places must be to be the same,
-/// in units of the square root of the curve's area. Steps that are too long move points along the
-/// curve rather than off it: own_error sees a thousandth of the area that such errors sweep.
+/// The number of test points that determine how many steps a flow needs, and the tolerance of their
+/// positions in units of the square root of the curve's area. Too long steps move points along the
+/// curve rather than off it: only a thousandth of the area swept by such errors shows in own_error.
 constexpr int pilots = 128;
 constexpr double same_place = 5e-7;
 
@@ -116,7 +117,8 @@ std::vector<Marker> spread_markers(const ParametricCurve& curve, const FlowMap& 
     return markers;
 }
 
-/// A chord of length d misses an area of curvature d^3 / 12. Each vertex moves out by its share.
+/// A chord of length d loses an area of curvature * d^3 / 12. Vertices are moved outwards to
+/// balance it.
 Outline balanced_outline(const std::vector<Marker>& markers) {
     Outline outline;
     outline.reserve(markers.size());
@@ -150,7 +152,8 @@ double rounding_error(std::span<const Outline> outlines) {
     return 4.0 * std::numeric_limits<double>::epsilon() * size * perimeter(outlines);
 }
 
-/// So many steps lead some points of the curve to the same places as twice as many steps do.
+/// A number of steps that moves some points of the curve, within the tolerance, to the same
+/// positions as twice as many steps.
 int half_of_steps(const ParametricCurve& curve, const Flow& flow, double time) {
     Outline first(pilots);
     for (int i = 0; i < pilots; ++i) {
@@ -216,8 +219,8 @@ ExactShape exact_circle(const Point<double>& centre, double radius, int vertices
     }
     shape.outlines.push_back(std::move(outline));
     shape.area = curve.area;
-    // Vertices lie outside by 2/3 of the height of a segment, the middles of edges inside by 1/3:
-    // the mean of |1/3 - u^2| over 0 < u < 1 is 4 / (9 sqrt 3).
+    // Vertices lie outside the circle by 2/3 of the height of a segment, the middles of edges
+    // inside by 1/3: the mean of |1/3 - u^2| over 0 < u < 1 is 4 / (9 sqrt 3).
     const double height = 0.125 * radius * angle * angle;
     shape.own_error = 4.0 / (9.0 * std::numbers::sqrt3) * height * 2.0 * pi * radius +
                       rounding_error(shape.outlines);
@@ -239,10 +242,10 @@ ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map, const 
     const Outline check =
         balanced_outline(spread_markers(curve, rough, 2.0 * spacing, 4.0 * deviation));
     shape.area = curve.area;
-    // The error of chords falls with the square of their length and that of the steps with a higher
-    // power: if markers are twice as far apart, the difference is at least three times the error of
-    // the finer result. Intervals are divided into whole parts, so the actual factor may be smaller
-    // than that.
+    // The error of chords falls with the square of their length, and that of the steps with a
+    // higher power: if markers are twice as far apart, the difference is at least three times the
+    // error of the finer result. Intervals are divided into a whole number of parts, so the actual
+    // factor may be smaller.
     const double ratio =
         static_cast<double>(shape.outlines.front().size()) / static_cast<double>(check.size());
     shape.own_error = symmetric_difference(shape.outlines.front(), check) /

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shape that an exact method would have at a time; all others are measured against it. No mesh
-// is involved, and each shape states how large its own error may be.
+// Exact shapes at given times, against which errors are measured. They are computed without a mesh,
+// and each states an estimate of its own error.
 #pragma once
 
 #include "flows/flow_map.h"
@@ -22,30 +22,30 @@ namespace dsc::scenes {
 [[nodiscard]] ExactShape exact_circle(const Point<double>& centre, double radius,
                                       int vertices = 1 << 15);
 
-/// How closely markers follow a curve, in units of the square root of its area.
+/// The density of markers on a curve, in units of the square root of its area.
 struct MarkerOptions {
     double spacing = 7.5e-4; ///< largest distance between neighbours
     double deviation = 5e-8; ///< largest distance of the curve from a chord
 };
 
 /// Markers for a mesh whose interface edges have this length: `own_error` is about a thousandth of
-/// what the chords of the edges miss.
+/// the error of the edges' chords.
 [[nodiscard]] MarkerOptions markers_for(const ParametricCurve& curve, double edge_length);
 
-/// The image of a curve under an area-preserving map. Where markers come to lie too far apart, or
-/// turn too much, more points *of the curve* are mapped, so that there is no error of insertion.
-/// Finally, vertices are pushed out by the mean distance of the curve from its chords, which makes
-/// the polygon's area that of the curve to fourth order. `rough` is the same map with half the
-/// effort (the same one if it is exact); its result, with markers twice as far apart, gives
+/// The image of a curve under an area-preserving map. Where markers are too far apart, or turn too
+/// much, more points *of the curve* are mapped, so there is no error of insertion. Finally,
+/// vertices are moved outwards by the mean distance of the curve from its chords, which makes the
+/// polygon's area equal to that of the curve to fourth order. `rough` is the same map with half the
+/// effort (or the same map if it is exact); its result, with markers twice as far apart, gives
 /// own_error.
 [[nodiscard]] ExactShape mapped_shape(const ParametricCurve& curve, const FlowMap& map,
                                       const FlowMap& rough, const MarkerOptions& options = {});
 
-/// The image of a curve under a divergence-free flow at a time. As many steps are made as this flow
-/// needs: for some points of the curve, half as many lead to the same places to 5e-7, in units of
-/// the square root of its area. own_error is below 1e-7 for the swirl of a circle of radius 0.15
-/// until time 4.2, and for the single vortex at half of a period of up to 8. Where velocities have
-/// kinks, steps are not made without end: there own_error tells what was reached.
+/// The image of a curve under a divergence-free flow at a time. The number of steps is chosen such
+/// that for some points of the curve half as many steps give the same positions to 5e-7, in units
+/// of the square root of its area. own_error is below 1e-7 for the swirl of a circle of radius 0.15
+/// until time 4.2, and for the single vortex at half of a period of up to 8. For velocities with
+/// kinks the number of steps is limited, and own_error states the accuracy reached.
 [[nodiscard]] ExactShape advected_shape(const ParametricCurve& curve, const Flow& flow, double time,
                                         const MarkerOptions& options = {});
 

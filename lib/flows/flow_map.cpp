@@ -15,7 +15,7 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Points that go through all the steps together, so that their stages stay in a near cache.
+/// Number of points advanced together through all steps, so that their stages stay in the cache.
 constexpr std::size_t block_size = 128;
 
 /// Their coordinates, in one array: sums over stages use all lanes of a register.

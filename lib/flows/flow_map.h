@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a flow takes points, without any mesh: by a Runge-Kutta method of order 8 with any number
+// The motion of points by a flow, without a mesh: a Runge-Kutta method of order 8 with any number
 // of steps.
 #pragma once
 

@@ -15,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 constexpr double first_slope = std::numbers::sqrt3;
-/// The number of RK4 steps from the junction to where the curve is its asymptote: the error is
-/// below 1e-12.
+/// The number of RK4 steps from the junction to the point where the curve reaches its asymptote:
+/// the error is below 1e-12.
 constexpr int steps = 1 << 14;
 
 /// The curve at one xi. The equation is of first order in the slope p and in w = u - xi u', which
@@ -41,8 +41,8 @@ struct Place {
 
 Place at_junction(double c) { return {c / 2, first_slope, -c / 2 * first_slope, 0}; }
 
-/// The distance from the junction at which the curve is its asymptote up to rounding: it approaches
-/// the asymptote like exp(-xi^2 / 4), or faster.
+/// The distance from the junction at which the curve equals its asymptote up to rounding: it
+/// approaches the asymptote like exp(-xi^2 / 4), or faster.
 double reach(double c) { return std::sqrt(c * c / 4 + 169) - c / 2; }
 
 Place advance(const Place& from, double by) {
@@ -64,14 +64,14 @@ double asymptote(double c) {
 }
 
 /// The part of the sector on one side of the x axis, in units of sqrt(t) from the centre: its area,
-/// and its curve from the junction to the border of the box.
+/// and its curve from the junction to the side of the box.
 struct Part {
     std::vector<Point<double>> curve;
     bool leaves_by_side = true; ///< or else at `top`
     double area = 0;
 };
 
-/// Ends the curve where it leaves the box on its next step, which is at most `by` long.
+/// Ends the curve at the point where its next step, of length `by`, leaves the box.
 void leave(const Place& from, double by, double side, double top, Part& part) {
     Place last = advance(from, std::min(by, side - from.xi));
     part.leaves_by_side = last.u() <= top;
@@ -168,7 +168,7 @@ ExactShape right_sector(const FourSectors& sectors, double time, const Rectangle
         outline.emplace_back(sectors.centre + size * upper.curve[i]);
     }
     shape.area = (upper.area + lower.area) * size * size;
-    // The sector is convex beside its curves, so that all chords are on one side of them.
+    // The sector is convex beside its curves, so all chords are on one side of them.
     constexpr double of_shooting = 1e-11;
     shape.own_error =
         std::abs(shape.area - signed_area(outline)) + of_shooting * perimeter(outline) * size;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loop has no branch and calls no function, so that it uses all lanes of a register.
+// The loop has no branches and no calls, so that it can be vectorised.
 #include "flows/sine_cosine.h"
 
 #include "fluid/solve/instruction_sets.h"

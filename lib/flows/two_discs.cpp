@@ -27,7 +27,7 @@ ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage) 
         append_arcs(frame, {{right, radius, 0, 2 * pi}}, shape);
         return shape;
     }
-    // The notches lie above and below the middle, at the angle phi as seen from the centres.
+    // The notches lie above and below the middle, at the angle phi from the centres.
     const double height = std::sqrt(grown * grown - d * d);
     const double phi = std::atan2(height, d);
     const Point<double> above(0, height);

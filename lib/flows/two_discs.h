@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Two discs that grow along their normals, merge, and shrink again: the exact shapes, in arcs of
-// circles.
+// The exact shapes of two discs that grow along their normals, merge, and shrink again: circular
+// arcs.
 #pragma once
 
 #include "shapes/outline.h"
@@ -14,11 +14,12 @@ struct TwoDiscs {
     double radius = 0.1;
 };
 
-/// Of the points no farther than `growth` from the discs, those that are farther than `shrinkage`
-/// from the others. Where the discs have merged, arcs of that radius about the two notches take
-/// away from the neck, which is 2 (sqrt(R^2 - d^2) - shrinkage) wide; d is half the distance of the
-/// centres and R the radius after growth. When nothing is left of the neck, there are two pieces.
-/// Empty once the shrinkage reaches R. Growth may be negative, down to minus the radius.
+/// The discs grown by `growth` and then eroded by `shrinkage`: the points of the grown shape that
+/// are farther than `shrinkage` from its complement. If the discs have merged, arcs of radius
+/// `shrinkage` about the two notches bound the neck, whose width is 2 (sqrt(R^2 - d^2) -
+/// shrinkage); d is half the distance of the centres and R the radius after growth. At a width of 0
+/// the shape splits into two pieces. It is empty once `shrinkage` reaches R. `growth` may be
+/// negative, down to minus the radius.
 [[nodiscard]] ExactShape shrunk_discs(const TwoDiscs& discs, double growth, double shrinkage);
 
 } // namespace dsc::scenes

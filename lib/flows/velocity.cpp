@@ -23,7 +23,7 @@ static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 /// Points per block of the swirl: its sines and cosines stay in the first-level cache.
 constexpr std::size_t block = 128;
 
-// Writes what `field` is at the way from the centre to each position.
+// Writes the value of `field` for the vector from the centre to each position.
 template <class Field>
 void write_about(const Point<double>& centre, Positions positions, Velocities velocities,
                  Field field) {

@@ -12,7 +12,8 @@
 
 namespace dsc::scenes {
 
-/// Where velocities are asked for, and where they are written: as many, maybe in the same memory.
+/// The positions of a batch, and the velocities to be written: equally many, possibly in the same
+/// memory.
 using Positions = std::span<const Point<double>>;
 using Velocities = std::span<Point<double>>;
 
@@ -57,15 +58,15 @@ struct Swirl {
     void operator()(Positions positions, double time, Velocities velocities) const;
 };
 
-/// Straight down towards a surface at which everything comes to rest:
+/// Straight down towards a surface where the velocity vanishes:
 ///     v = (0, -speed tanh((y - surface) / depth)).
 struct Falling {
     double surface = 0.0;
-    double depth = 1.0; ///< below this height above the surface the fall slows down
-    double speed = 1.0; ///< far above
+    double depth = 1.0; ///< the flow slows down below this height above the surface
+    double speed = 1.0; ///< far above the surface
     void operator()(Positions positions, double time, Velocities velocities) const;
-    /// The place to which the flow carries the point in this time: sinh((y - surface) / depth)
-    /// decays as exp(-time speed / depth).
+    /// The point advected for this time: sinh((y - surface) / depth) decays as exp(-time speed /
+    /// depth).
     [[nodiscard]] Point<double> advected(const Point<double>& point, double time) const;
 };
 
@@ -78,9 +79,9 @@ struct Leg {
     Velocity velocity;
 };
 
-/// Velocities one after the other. A step belongs to one leg as a whole: evaluated at the very time
-/// of a change, a field cannot know whether that is the end of one step or the beginning of the
-/// next, and a Runge-Kutta step that used the wrong velocity would lose its order.
+/// A sequence of velocities. A whole step belongs to one leg: at the exact time of a change, a
+/// field could not know whether a step ends or begins there, and a Runge-Kutta step with the wrong
+/// velocity would lose its order.
 using Flow = std::vector<Leg>;
 
 /// One velocity for all times.
@@ -88,8 +89,8 @@ using Flow = std::vector<Leg>;
 /// `velocity` until `half_time`, and then its opposite.
 [[nodiscard]] Flow there_and_back(const Velocity& velocity, double half_time);
 
-/// The velocity of the leg in which the middle of this step lies (the last one beyond the end).
-/// Throws InputError for a flow without legs.
+/// The velocity of the leg that contains the middle of this step; after the end, that of the last
+/// leg. Throws InputError for a flow without legs.
 [[nodiscard]] const Velocity& velocity_of_step(const Flow& flow, double begin, double end);
 
 } // namespace dsc::scenes

@@ -20,8 +20,8 @@ struct Figure {
     Value value;
 };
 
-/// The number of this name; of a part: "jaggedness.largest_excess_deg". Throws InputError, naming
-/// the figures that exist, if there is none or it is not a number. O(figures).
+/// The number with this name; for a part, a name such as "jaggedness.largest_excess_deg". Throws
+/// InputError, which lists all figures, if there is none or it is not a number. O(figures).
 [[nodiscard]] double number(const Figures& figures, std::string_view name);
 
 } // namespace dsc::scenes

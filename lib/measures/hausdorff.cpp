@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Branch and bound. The distance to one fixed segment is convex along an edge, so that its values
-// at the two ends of (a part of) an edge bound it from above; a part whose bound exceeds the
-// largest distance found so far is halved.
+// Branch and bound. The distance to a fixed segment is convex along an edge, so its values at the
+// two ends of a part of an edge bound it from above; a part whose bound exceeds the largest
+// distance found so far is halved.
 #include "measures/hausdorff.h"
 
 #include "measures/segment_tree.h"
@@ -17,10 +17,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// After more halvings, nothing of an edge is left in double precision.
+/// After this number of halvings, a part of an edge has no length in double precision.
 constexpr int max_halvings = 60;
 
-/// Of the result; both curves are about as large as 1.
+/// Absolute error of the result; both curves are scaled to a size of about 1.
 constexpr double tolerance = 1e-10;
 
 struct Farthest {
@@ -53,7 +53,7 @@ Farthest directed(const std::vector<Segment>& from, const SegmentTree& to) {
         }
         return near;
     };
-    // Vertices first: the larger the distance already known, the fewer edges need a second look.
+    // Vertices first: the larger the distance already known, the fewer edges have to be halved.
     std::vector<Near> ends;
     ends.reserve(2 * from.size());
     std::size_t guess = 0;

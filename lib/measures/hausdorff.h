@@ -18,10 +18,11 @@ struct HausdorffDistance {
     }
 };
 
-/// The distance between two sets of closed polylines: of all points of their edges, not only of
-/// vertices. Never above the true value (except for rounding) and below it by no more than 1e-10 of
-/// the size of the box around both. Infinite if exactly one of the sets is empty. Throws InputError
-/// for an outline with fewer than three points, or with a point that is not finite.
+/// The distance between two sets of closed polylines, over all points of their edges, not only
+/// their vertices. The result never exceeds the true value (except for rounding) and is at most
+/// 1e-10 of the size of the box around both below it. Infinite if exactly one of the sets is empty.
+/// Throws InputError for an outline with fewer than three points, or with a point that is not
+/// finite.
 [[nodiscard]] HausdorffDistance hausdorff(std::span<const Outline> first,
                                           std::span<const Outline> second);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Histograms of a measure over triangles, and the distance of two of them: section 9.8 of the
-// thesis shows such histograms as pictures.
+// Histograms of a measure over triangles, as in section 9.8 of the thesis, and the distance of two
+// histograms.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct Histogram {
                                        std::size_t bins);
 
 /// The two-sample statistic of Kolmogorov and Smirnov over the bins: the largest difference between
-/// the two cumulative distributions, from 0 (alike) to 1 (apart).
-/// Throws InputError where the bins differ or one of the histograms is empty.
+/// the two cumulative distributions, from 0 (equal) to 1 (disjoint). Throws InputError where the
+/// bins differ or one of the histograms is empty.
 [[nodiscard]] double histogram_distance(const Histogram& a, const Histogram& b);
 
 } // namespace dsc::scenes

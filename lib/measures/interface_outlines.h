@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a complex to the outlines that are measured.
+// The outlines of a complex, for measures.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -11,15 +11,15 @@
 namespace dsc::scenes {
 
 struct OutlineOptions {
-    /// How the curve runs between two vertices: with `Reading::cubic` each edge becomes `samples`
-    /// chords of its cubic, which lie 1 / samples^2 times as far from it as the edge itself.
+    /// The curve between two vertices: with `Reading::cubic` each edge becomes `samples` chords of
+    /// its cubic, whose distance from the cubic is 1 / samples^2 of that of the edge.
     Reading reading = Reading::chords;
     int samples = 32;
     std::optional<Phase> phase = {}; ///< around this phase; none: around all but the exterior
 };
 
 /// The closed curves around a phase, or between the exterior and all others, counter-clockwise
-/// around what they enclose; its domain edges belong to them. O(n).
+/// around the enclosed region; they include edges on the domain boundary. O(n).
 template <class Real>
 [[nodiscard]] std::vector<Outline> interface_outlines(const Complex<Real>& complex,
                                                       const OutlineOptions& options = {});

@@ -2,18 +2,17 @@
 // A vertex p with neighbours a and b is projected to the exact curve, and so are a and b; the exact
 // turn is that of the polyline of the three projections. As these are about as far apart as the
 // vertices, a turn between chords is compared with a turn between chords, and a corner of the exact
-// curve counts wherever it lies between a and b.
-//
-// Projections can fail to tell which stretch of the curve is meant:
-// - They nearly coincide, if vertices outside of a corner are all nearest to the corner itself, or
-//   if an edge stands across the curve. The direction between them would mean nothing.
-// - They come in another order than the vertices, if the polygon folds back. Their polyline would
-//   fold as well and excuse the fold.
-// So the stretch is one of arc length: from p's projection back to a's and on to b's, but in either
-// direction no less than a part of the edge of the polygon. A short edge of the polygon itself
-// needs no such care: if its turn is large, the polygon is jagged.
-// - The nearest point lies on the far side of a filament that is thinner than the error of p. The
-//   curve runs the other way there; a point where it does not is used instead if it is near.
+// curve counts wherever it lies between a and b. Projections do not always give the right stretch
+// of the curve:
+// - They nearly coincide if vertices outside a corner are all nearest to the corner itself, or if
+// an edge is perpendicular to the curve. The direction between them is then meaningless. - Their
+// order differs from that of the vertices if the polygon folds back. Their polyline would also
+// fold, and the fold would not be detected. So the stretch is measured in arc length: from p's
+// projection back to a's and forward to b's, but in either direction at least a fraction of the
+// edge of the polygon. Short edges of the polygon itself need no exception: if their turn is large,
+// the polygon is jagged. - The nearest point lies on the far side of a filament that is thinner
+// than the error of p. The curve runs in the opposite direction there; a nearby point where it runs
+// in the right direction is used instead.
 #include "measures/jaggedness.h"
 
 #include "dsc/geometry/points.h"
@@ -30,11 +29,11 @@ namespace dsc::scenes {
 
 namespace {
 
-/// The shortest stretch of the exact curve on either side of a vertex, relative to the edge there.
-/// Small enough that projections of a sound polygon are always farther apart.
+/// The shortest stretch of the exact curve on either side of a vertex, relative to the edge there:
+/// less than the distance between projections of any smooth polygon.
 constexpr double shortest_stretch = 0.25;
 
-/// A vertex may turn by so many times the exact curve's turn, and by this more.
+/// The allowed turn at a vertex: this multiple of the exact curve's turn, plus a constant.
 constexpr double turn_factor = 2.0;
 constexpr double turn_slack_deg = 2.0;
 
@@ -67,8 +66,8 @@ public:
         begin_.push_back(arc.value());
     }
 
-    /// The nearest point to p; one where the curve runs along `direction` is preferred if it is at
-    /// most `reach` farther away.
+    /// The point nearest to p; a point where the curve runs along `direction` is preferred if it is
+    /// at most `reach` farther away.
     [[nodiscard]] Place project(const Point<double>& p, const Point<double>& direction,
                                 double reach, std::size_t guess) const {
         Near near = tree_.nearest(p, guess, 0.0);
@@ -82,7 +81,7 @@ public:
                                   fraction * (begin_[near.segment + 1] - begin_[near.segment])};
     }
 
-    /// The arc length from one place forward to another, negative if backwards is shorter;
+    /// The arc length from one place forward to another; negative if the way back is shorter;
     /// `otherwise` if they are on different curves.
     [[nodiscard]] double ahead(const Place& from, const Place& to, double otherwise) const {
         return outline_[from.segment] != outline_[to.segment]

@@ -13,7 +13,8 @@ namespace dsc::scenes {
 
 namespace {
 
-// The direction in which the parabola through three points leaves the first, in its chord length.
+// The tangent, at the first point, of the parabola through three points, parametrised by chord
+// length.
 Point<double> tangent(const Point<double>& p0, const Point<double>& p1, const Point<double>& p2) {
     const double a = (p1 - p0).norm();
     const double b = (p2 - p1).norm();
@@ -22,7 +23,7 @@ Point<double> tangent(const Point<double>& p0, const Point<double>& p1, const Po
     return first - (second - first) * (a / (a + b));
 }
 
-// The directions of the curves' ends, by vertex.
+// The directions of the ends of curves, by vertex.
 template <class Real>
 std::map<Vertex, std::vector<Point<double>>> find_ends(const Complex<Real>& complex) {
     std::map<Vertex, std::vector<Point<double>>> ends;
@@ -76,7 +77,7 @@ JunctionFigures summarise(const std::vector<Junction>& junctions) {
     for (const Junction& junction : junctions) {
         if (junction.sectors > 3) {
             ++figures.crossings;
-        } else { // a NaN gives way
+        } else { // replaces a NaN, too
             figures.worst_deviation_deg =
                 std::fmax(figures.worst_deviation_deg,
                           std::max(120 - junction.min_deg, junction.max_deg - 120));

@@ -12,16 +12,17 @@ namespace dsc::scenes {
 
 struct Junction {
     Vertex vertex;
-    std::uint32_t sectors = 0; ///< interface edges at the vertex, and so the sectors between them
-    double min_deg = 0;        ///< of the angles of its sectors
+    std::uint32_t sectors =
+        0;              ///< number of interface edges at the vertex, and of sectors between them
+    double min_deg = 0; ///< of the angles of its sectors
     double max_deg = 0;
 };
 
-/// The vertices inside the domain with three interface edges or more, in rising order. Each curve
-/// leaves its junction along the parabola through the junction and the next two vertices of the
-/// curve, in its chord length: on a curve of radius R with edges of length h, the error of an angle
-/// is of the order of (h / R)^3, against h / R of the first edge's own direction. A curve of one
-/// edge is taken to be straight. O(triangles).
+/// The vertices inside the domain with three or more interface edges, in ascending order. The
+/// direction of a curve at its junction is that of the parabola through the junction and the next
+/// two vertices, parametrised by chord length: on a curve of radius R with edges of length h, the
+/// error of an angle is O((h / R)^3); with the direction of the first edge it would be O(h / R). A
+/// curve of one edge is taken as straight. O(triangles).
 template <class Real>
 [[nodiscard]] std::vector<Junction> measure_junctions(const Complex<Real>& complex);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A measure is a named function of one moment of a run. A run takes a list of them, and each value
-// is stored in its result under the measure's name: to add a measure, add an entry to the list.
+// A measure is a named function of the state of a run at one time. A run has a list of measures,
+// and each value is stored in its result under the measure's name: to add a measure, add an entry
+// to the list.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -14,18 +15,18 @@
 
 namespace dsc::scenes {
 
-/// The mesh in the precision in which it is computed.
+/// The mesh in the precision of the run.
 using MeshView = std::variant<const Complex<double>*, const Complex<float>*>;
 
-/// All that a measure can use. Lengths and areas are in units of the domain.
+/// The input of a measure. Lengths and areas are in units of the domain.
 struct Moment {
     MeshView mesh;
-    std::span<const Outline> outlines; ///< the interface as it is read between its vertices
-    std::span<const Outline> polygons; ///< its vertices with straight edges
-    const ExactShape* exact = nullptr; ///< null: only measures that need none are run
+    std::span<const Outline> outlines; ///< the interface, read as chords or cubics
+    std::span<const Outline> polygons; ///< the interface with straight edges
+    const ExactShape* exact = nullptr; ///< null: only measures that do not need it are run
     double area_exact_first = 0;       ///< of the first exact shape
     const Figures* figures = nullptr;  ///< the results of the measures before this one
-    MeshQuality quality = {};          ///< of the mesh, where a measure needs it
+    MeshQuality quality = {};          ///< of the mesh, if a measure needs it
 };
 
 enum class Needs : std::uint8_t {
@@ -35,8 +36,8 @@ enum class Needs : std::uint8_t {
 };
 
 struct Measure {
-    std::string name;        ///< of its value; results at the end and half-way add _last and _half
-    std::string unit;        ///< "1" if it has none
+    std::string name; ///< of its value; results at the end and half-way append _last and _half
+    std::string unit; ///< "1" if it has none
     std::string description; ///< in a few words
     Needs needs = Needs::outlines;
     std::function<Value(const Moment&)> function;
@@ -46,7 +47,7 @@ struct Measure {
 [[nodiscard]] const std::vector<Measure>& default_measures();
 
 /// The value of each measure, in their order. `moment.figures` and `quality` need not be set.
-/// Throws what the measures throw.
+/// Passes on exceptions of the measures.
 [[nodiscard]] Figures measure(const std::vector<Measure>& measures, Moment moment);
 
 } // namespace dsc::scenes

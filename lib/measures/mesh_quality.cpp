@@ -13,16 +13,16 @@ namespace dsc::scenes {
 
 namespace {
 
-// The squared sine of the smallest angle at this quality, plus a margin above rounding in either
-// precision; also for a quality of 0 or below.
+// The squared sine of the smallest angle of a triangle with this quality, plus a margin above
+// rounding errors in either precision; also for qualities of 0 or below.
 double above(double quality) {
     const double positive = std::max(quality, 0.0);
     return 0.75 * positive * positive * 1.01 + 1e-5;
 }
 
-// Whether a triangle is certainly not inverted and certainly has a smallest angle of a larger
-// squared sine: most triangles of a mesh, without a division or a root. Never where a square may
-// have lost bits to underflow. In plain numbers: points as vectors would be stored and loaded
+// Whether a triangle is certainly not inverted and the squared sine of its smallest angle is
+// certainly larger: decides most triangles of a mesh without a division or a root. False if a
+// square may have underflowed. Uses scalars, because vectors would be stored to memory and loaded
 // again.
 template <class Real>
 bool is_clearly_better(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c,
@@ -44,7 +44,7 @@ bool is_clearly_better(const Point<Real>& a, const Point<Real>& b, const Point<R
     return (doubled > 1e-140) & (doubled * doubled > squared_sine * (longest * middle));
 }
 
-/// What is worse than a least quality so far, which it lowers, and what is inverted.
+/// Collects inverted triangles and the minimum of the quality.
 template <class Real>
 struct Worst {
     const Complex<Real>& complex;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How good the triangles of a mesh are.
+// The quality of the triangles of a mesh.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
@@ -13,7 +13,8 @@ struct MeshQuality {
     double min_quality = 1; ///< equation 4
     double min_angle_deg = 60;
     double median_angle_deg = 60; ///< of the triangles' smallest angles
-    std::uint64_t inverted = 0;   ///< not strictly positive, by the exact predicate
+    std::uint64_t inverted =
+        0; ///< triangles that are not strictly positive, by the exact predicate
 };
 
 /// The quality of all triangles. O(n).
@@ -24,23 +25,24 @@ template <class Real>
 template <class Real>
 [[nodiscard]] MeshQuality measure_worst(const Complex<Real>& complex);
 
-/// The worst triangle of all moments at which it looks, without a look at the whole mesh: a
-/// triangle that no step has touched since the last look is what it was then.
+/// The worst triangle over all checks of a run, without visiting the whole mesh: only triangles
+/// changed by steps since the last check are examined.
 template <class Real>
 class QualityWatch {
 public:
-    /// The simulation must outlive it and have no other. The first look is at all triangles.
+    /// The simulation must outlive the watch and have no other one. The first check visits all
+    /// triangles.
     explicit QualityWatch(Simulation<Real>& simulation) : simulation_(simulation) {}
 
-    /// The next look is at all triangles: something other than a step has changed the mesh.
+    /// Makes the next check visit all triangles: for changes of the mesh outside steps.
     void forget() { is_known_ = false; }
-    /// `min_quality` is the least at any look so far, `inverted` is the number now. O(poor stars
-    /// and edits of steps other than moves), O(n) for the first one.
+    /// Checks the mesh: `min_quality` is the minimum over all checks so far, `inverted` the number
+    /// now. O(poor stars and edits other than moves); O(n) for the first check.
     [[nodiscard]] MeshQuality look();
 
 private:
     Simulation<Real>& simulation_;
-    bool is_known_ = false;               ///< all triangles but those that steps have touched
+    bool is_known_ = false; ///< whether all triangles that no step has changed are known
     std::vector<std::uint32_t> inverted_; ///< triangles
     double min_quality_ = 1;
 };

@@ -25,7 +25,7 @@ PhaseReport measure_phases(const Complex<Real>& complex) {
             const Corner c = corner_of(t.id, i);
             const Phase one = complex.phase_at(c);
             const Phase other = complex.phase_at(complex.twin(c));
-            // The border has the largest number of all, so its edges pass this test as well.
+            // The border's phase is the largest number, so its edges pass this test as well.
             if (one < other) {
                 const auto [a, b] = complex.vertices_of(complex.edge(c));
                 lengths[{one, other}].add(

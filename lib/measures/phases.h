@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the domain is divided among its phases, and how long their common interfaces are. Lengths and
-// areas are those of the mesh, whose edges are straight, in units of the domain.
+// The areas of the phases and the lengths of their common interfaces. Lengths and areas are those
+// of the mesh, whose edges are straight, in units of the domain.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -15,7 +15,7 @@ struct PhaseFigures {
     double perimeter = 0;         ///< of the edges between it and other phases
     double boundary = 0;          ///< of its edges on the domain boundary
     std::uint32_t components = 0; ///< triangles joined across edges
-    /// In all components together. Of holes that touch at a vertex, one is counted.
+    /// Number of holes in all components. Holes that touch at a vertex count as one.
     std::uint32_t holes = 0;
 };
 
@@ -26,8 +26,8 @@ struct PairFigures {
 };
 
 struct PhaseReport {
-    std::vector<PhaseFigures> phases; ///< those that have a triangle, in rising order
-    std::vector<PairFigures> pairs;   ///< those that meet along an edge, in rising order
+    std::vector<PhaseFigures> phases; ///< phases that have a triangle, ascending
+    std::vector<PairFigures> pairs;   ///< pairs that meet along an edge, ascending
 };
 
 /// The figures of all phases and pairs. O(triangles + pairs log pairs).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which edge of some outlines is nearest to a point: a tree of boxes over the edges in their order
-// along the curves. Unlike a grid, it works well however far apart or unequal the curves are.
+// Finds the edge of outlines nearest to a point, by a tree of boxes over the edges in their order
+// along the curves. Unlike a grid, it is efficient for distant and unequal curves, too.
 #pragma once
 
 #include "shapes/outline.h"
@@ -26,8 +26,8 @@ struct Segment {
 /// The edges of all outlines in their order, scaled.
 [[nodiscard]] std::vector<Segment> segments_of(std::span<const Outline> outlines, double scale);
 
-/// The power of two that brings the box around both sets to a size from 1/2 to 1, so that no square
-/// under- or overflows and no digit is lost. Throws InputError, naming `where`, for an outline with
+/// The power of two that scales the box around both sets to a size from 1/2 to 1, so that no square
+/// under- or overflows and scaling is exact. Throws InputError with `where` for an outline with
 /// fewer than three points, or with a point that is not finite.
 [[nodiscard]] double unit_scale(std::span<const Outline> first, std::span<const Outline> second,
                                 const std::string& where);
@@ -46,10 +46,10 @@ public:
 
     [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
-    /// The segment nearest to p, or any that is not farther than `enough`. `guess` is tried first.
+    /// The segment nearest to p, or any within the distance `enough`. `guess` is tried first.
     [[nodiscard]] Near nearest(const Point<double>& p, std::size_t guess, double enough) const;
 
-    /// The segment nearest to p among those that do not run against `direction`; none if no such
+    /// The segment nearest to p among those that do not run against `direction`; empty if no such
     /// segment is nearer than `within`.
     [[nodiscard]] std::optional<Near>
     nearest_along(const Point<double>& p, const Point<double>& direction, double within) const;
@@ -57,7 +57,7 @@ public:
 private:
     struct Query {
         Point<double> point;
-        double enough; ///< no nearer segment is looked for
+        double enough; ///< the search ends at this distance
     };
 
     /// Replaces `best` by the nearest accepted segment below a node, if that is nearer.
@@ -67,7 +67,7 @@ private:
 
     std::vector<Segment> segments_;
     std::size_t leaves_ = 1;
-    std::vector<Eigen::AlignedBox2d> boxes_; ///< no point of a box is nearer than the box
+    std::vector<Eigen::AlignedBox2d> boxes_; ///< of the segments below each node
 };
 
 } // namespace dsc::scenes

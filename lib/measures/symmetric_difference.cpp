@@ -2,10 +2,11 @@
 // A sweep over vertical strips. The abscissae of all vertices bound the strips; within one, the
 // edges are ordered, and the gap between neighbours is a trapezoid that belongs to the region given
 // by its parity (or winding number). Edges cross within a strip exactly if their orders at its two
-// sides differ, so crossings need no search and none can be missed or invented: an edge's ordinate
-// at an abscissa is computed once and used by both strips that meet there. A crossing that rounding
-// misplaces causes an error of the product of two rounding errors. (The decomposition is that of
-// the slab method: F. P. Preparata, M. I. Shamos, "Computational geometry", 1985, section 2.2.)
+// sides differ, so no crossing has to be searched for, and none can be missed or invented: an
+// edge's ordinate at an abscissa is computed once and used by both strips that meet there. A
+// crossing that rounding misplaces causes an error of the product of two rounding errors. (The
+// decomposition is that of the slab method: F. P. Preparata, M. I. Shamos, "Computational
+// geometry", 1985, section 2.2.)
 #include "measures/symmetric_difference.h"
 
 #include "measures/compensated_sum.h"
@@ -23,12 +24,12 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Strips narrower than this part of the extent are not searched for crossings: the effect of a
-/// crossing is of the size of rounding errors there, and a nearly vertical edge may have very many.
+/// Crossings are ignored in strips narrower than this fraction of the extent: their effect is of
+/// the size of rounding errors, and a nearly vertical edge may have very many.
 constexpr double thin_strip = 0x1p-50;
 
 /// An edge from left to right, in coordinates scaled to unit size. `step` is the change of its
-/// region's winding number where one crosses it upwards.
+/// region's winding number for a path that crosses the edge upwards.
 struct Edge {
     double x0, y0, x1, y1;
     int region;
@@ -49,8 +50,8 @@ bool below(const Active& s, const Active& t) {
     return s.left < t.left || (s.left == t.left && s.right < t.right);
 }
 
-/// The map to coordinates in which no area can underflow. It preserves differences to the last bit:
-/// the offset is subtracted only where that is exact (Sterbenz), and the scale is a power of two.
+/// The map to coordinates in which no area can underflow. It preserves differences exactly: the
+/// offset is subtracted only if that is exact (Sterbenz), and the scale is a power of two.
 struct Frame {
     Point<double> offset{0.0, 0.0};
     int exponent = 0;
@@ -173,7 +174,7 @@ private:
         }
     }
 
-    /// Cuts the order into the smallest groups that stay together; only edges of one group cross.
+    /// Divides the edges into the smallest groups whose edges cross only within the group.
     void add_crossed_strip(double width) {
         lowest_right_.resize(active_.size());
         double lowest = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much of two regions lies in only one of them: the error norm SD that is usual in the
-// literature. Unlike the area, it is not blind to errors that cancel.
+// The area that lies in only one of two regions: the usual error norm SD of the literature. Unlike
+// in the area, errors do not cancel.
 #pragma once
 
 #include "shapes/outline.h"
@@ -9,7 +9,7 @@
 
 namespace dsc::scenes {
 
-/// What the outlines of a region enclose.
+/// The rule by which outlines enclose a region.
 enum class FillRule {
     even_odd, ///< points with an odd number of outlines around them; orientation does not matter
     nonzero,  ///< points with a winding number other than zero; holes run clockwise
@@ -31,12 +31,11 @@ struct OverlapAreas {
 /// The areas of first \ second, second \ first and their intersection.
 ///
 /// Exact up to rounding for any outlines: they may share edges, nearly coincide, touch, or cross
-/// themselves. Each area is a sum of slivers that are never negative, so that a small area keeps
-/// its digits next to a large one; equal outlines give exactly zero, and the error is about 1e-16
-/// times the squared size of the box around both. The time is that of a sort plus, for each vertex,
-/// the number of edges right above and below it: 1e5 edges take a few hundredths of a second.
-/// Throws InputError for an outline with fewer than three points, or with a point that is not
-/// finite.
+/// themselves. Each area is a sum of non-negative slivers, so a small area is accurate next to a
+/// large one; equal outlines give exactly zero, and the error is about 1e-16 times the squared size
+/// of the box around both. The time is that of a sort, plus for each vertex the number of edges
+/// directly above and below it: 1e5 edges take a few hundredths of a second. Throws InputError for
+/// an outline with fewer than three points, or with a point that is not finite.
 [[nodiscard]] OverlapAreas overlap_areas(const Region& first, const Region& second);
 
 /// The area in which two even-odd regions differ.

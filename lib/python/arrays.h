@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arrays of numpy from lists of numbers and points, and back. Arrays are C-contiguous; points have
-// the shape (n, 2), and functions of the module take and return them as `Points`. What users give
-// is checked before by dsc/arrays.py, which says what is wrong with it. All of this needs the GIL.
+// Conversions between numpy arrays and lists of numbers and points. Arrays are C-contiguous; points
+// have the shape (n, 2), and functions of the module accept and return them as `Points`.
+// dsc/arrays.py checks the arguments of users before. All functions here need the GIL.
 #pragma once
 
 #include "dsc/dsc.h"
@@ -25,11 +25,11 @@ using namespace py::literals; // NOLINT: "name"_a
 using Points = std::vector<Point<double>>;
 static_assert(sizeof(Point<double>) == 2 * sizeof(double));
 
-/// Whatever numpy can cast to an array of these numbers.
+/// Any object that numpy can cast to an array of these numbers.
 template <class Number>
 using ArrayLike = py::array_t<Number, py::array::c_style | py::array::forcecast>;
 
-/// A new array of what `value(one)` is for each one of a range: of numbers (n,), or of rows of
+/// A new array of `value(one)` for the elements of a range: of numbers (n,), or of rows of
 /// `Number`, such as points (n, 2).
 template <class Number = double, class Range, class Value>
 [[nodiscard]] py::array array_over(const Range& range, Value value) {
@@ -55,7 +55,7 @@ template <class List>
     return array_over(list, std::identity());
 }
 
-/// A function of Python that C++ copies and drops without the GIL.
+/// A Python function that C++ can copy and release without the GIL.
 using SharedFunction = std::shared_ptr<py::function>;
 [[nodiscard]] inline SharedFunction share(const py::function& function) {
     return {new py::function(function), [](py::function* last) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Attributes as arrays: numbers and points of vertices and of triangles, which dsc/data.py makes a
-// dictionary of.
+// Attributes as arrays: numbers and points of vertices and of triangles, which dsc/data.py presents
+// as dictionaries.
 #include "python/module.h"
 
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 auto range_of(const Complex<double>& complex, Vertex /*kind*/) { return vertices(complex); }
 auto range_of(const Complex<double>& complex, Triangle /*kind*/) { return triangles(complex); }
 
-// Calls `visit` with the attribute in its own type. False for one of the library's own.
+// Calls `visit` with the attribute in its own type. Returns false for an attribute of the library.
 template <class Visit>
 bool visit_data(const AttributeBase& one, Visit visit) {
     const auto visit_as = [&]<class T, class Simplex>(std::type_identity<Attribute<T, Simplex>>) {
@@ -35,7 +35,7 @@ bool is_data(const AttributeBase& one) {
     return visit_data(one, [](const auto& /*attribute*/) {});
 }
 
-// Whether the data of each name is that of vertices.
+// For each name, whether the data is that of vertices.
 py::dict data_names(const Mesh& mesh) {
     py::dict names;
     for (const auto& one : mesh.complex().attributes.list()) {
@@ -46,7 +46,7 @@ py::dict data_names(const Mesh& mesh) {
     return names;
 }
 
-// The data of that name, which exists.
+// The data of that name, which must exist.
 py::array data_of(const Mesh& mesh, const std::string& name) {
     const Complex<double>& complex = mesh.complex();
     py::array values;
@@ -66,7 +66,7 @@ void write(Complex<double>& complex, const std::string& name, const double* valu
     if (!complex.attributes.contains(name)) {
         complex.attributes.add<Simplex>(name, initial);
     }
-    auto& attribute = complex.attributes.get<Simplex, T>(name); // refused if it is of another type
+    auto& attribute = complex.attributes.get<Simplex, T>(name); // throws if it has another type
     constexpr int width = std::is_same_v<T, double> ? 1 : 2;
     for (const Simplex each : range_of(complex, Simplex())) {
         std::memcpy(static_cast<void*>(&attribute[each]), values, sizeof(T));
@@ -74,7 +74,7 @@ void write(Complex<double>& complex, const std::string& name, const double* valu
     }
 }
 
-// The array has a number, or a row of two, for each simplex.
+// The array must have a number, or a row of two, for each simplex.
 template <class Simplex>
 void set_data(Mesh& mesh, const std::string& name, const ArrayLike<double>& values) {
     (void)mesh.complex(); // refused while a step runs

@@ -14,15 +14,15 @@ namespace dsc::python {
 
 namespace {
 
-// Writes what a function of Python has returned. Throws InputError where that is anything but an
-// array-like of the shape (n, 2).
+// Copies the result of a Python function. Throws InputError unless it is array-like of the shape
+// (n, 2).
 void read(const py::object& returned, const char* where, std::span<Point<double>> velocities) {
     const py::object rows =
         py::module_::import("dsc.arrays").attr("points")(returned, where, velocities.size());
     std::ranges::copy(rows.cast<Points>(), velocities.begin());
 }
 
-// Calls `function(x, t)`. What it raises comes out of `Simulation::step`.
+// Calls `function(x, t)`. `Simulation::step` passes on its exceptions.
 VelocityAtOnce<double> velocity_of(const py::function& function) {
     return {[shared = share(function)](std::span<const Point<double>> positions, double time,
                                        std::span<Point<double>> velocities) {
@@ -31,9 +31,9 @@ VelocityAtOnce<double> velocity_of(const py::function& function) {
     }};
 }
 
-// --- flows that see the interface --------------------------------------------------------------
+// --- flows that depend on the interface--------------------------------------------------------
 
-// -1 for what is none: a neighbour of a junction, the outside of the domain.
+// -1 for none: the neighbours of a junction, and the outside of the domain.
 std::int64_t number_or_none(std::uint32_t number) {
     return number == no_id || number == border_phase ? -1 : std::int64_t{number};
 }
@@ -72,19 +72,20 @@ py::object interface_of(const InterfaceView<double>& view) {
 }
 
 // Calls `function(interface, t)` in each stage of the integrator, once for the whole interface.
-// Throws InputError for `adaptive`, which motions have no estimate for.
+// Throws InputError for `adaptive`, because motions have no error estimate.
 InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator integrator) {
     if (integrator == Integrator::adaptive) {
-        throw InputError({.what = "a flow that sees the interface has no estimate of the error",
-                          .where = "integrator",
-                          .value = "adaptive",
-                          .allowed = "euler, midpoint, rk4"});
+        throw InputError(
+            {.what = "the adaptive integrator does not support flows that depend on the interface",
+             .where = "integrator",
+             .value = "adaptive",
+             .allowed = "euler, midpoint, rk4"});
     }
     return [function, integrator](const InterfaceView<double>& view, double time, double dt,
                                   std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double t,
                                               std::span<Point<double>> velocities) {
-            // A failure at one vertex must not affect its neighbours.
+            // A copy, so that a failure at one vertex does not affect its neighbours.
             Points seen(positions.begin(), positions.end());
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 seen[i] = seen[i].allFinite() ? seen[i] : view.positions[i];
@@ -108,7 +109,7 @@ InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator int
     };
 }
 
-// --- what Python can choose ----------------------------------------------------------------------
+// --- the module ----------------------------------------------------------------------------------
 
 template <class Flow>
 AnyFlow along(const Flow& flow, const std::optional<GrowthOptions<double>>& growth = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flows: functions of Python, and the library's own.
+// Flows: Python functions, and the library's own flows.
 #pragma once
 
 #include "python/arrays.h"
@@ -11,10 +11,10 @@
 
 namespace dsc::python {
 
-/// What moves the interface of a simulation; dsc/flows.py makes it. Steps are made without the GIL.
+/// The motion of a simulation's interface; made by dsc/flows.py. Steps run without the GIL.
 struct AnyFlow {
     std::function<StepReport(Simulation<double>& simulation, double time, double dt)> step;
-    std::optional<GrowthOptions<double>> growth = {}; ///< a simulation is made for it
+    std::optional<GrowthOptions<double>> growth = {}; ///< needs a simulation made for it
 };
 
 } // namespace dsc::python

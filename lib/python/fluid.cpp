@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fluid as Python sees it: a flow, with what is known of it.
+// A fluid for Python: a flow with its fields and figures.
 #include "fluid/fluid.h"
 #include "python/flows.h"
 #include "python/module.h"
@@ -90,15 +90,17 @@ std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const 
 void add_fluid(py::module_& module) {
     py::class_<FlowingFluid, AnyFlow>(module, "Fluid")
         .def(py::init(&fluid_of))
-        .def_property_readonly("time", &FlowingFluid::time, "Of the last solution.")
+        .def_property_readonly("time", &FlowingFluid::time, "The time of the last solution.")
         .def_property_readonly("velocities", &FlowingFluid::velocities,
-                               "At the points of the mesh: (n, 2).")
-        .def_property_readonly("pressures", &FlowingFluid::pressures,
-                               "At the three corners of each triangle, with jumps between phases: "
-                               "(m, 3); none before the first step.")
+                               "The velocity at the points of the mesh: (n, 2).")
+        .def_property_readonly(
+            "pressures", &FlowingFluid::pressures,
+            "The pressure at the three corners of each triangle, with jumps between "
+            "phases: (m, 3); 0 before the first step with inertia.")
         .def_property_readonly("energies", &FlowingFluid::energies,
-                               "`kinetic`, `potential` and `surface`: a dict.")
-        .def("mean_velocity", &FlowingFluid::mean_velocity, "phase"_a, "Of a phase: (x, y).");
+                               "The energies: a dict of `kinetic`, `potential` and `surface`.")
+        .def("mean_velocity", &FlowingFluid::mean_velocity, "phase"_a,
+             "The mean velocity of a phase: (x, y).");
 }
 
 } // namespace dsc::python

@@ -33,7 +33,7 @@ Outlines outlines_of(const Mesh& mesh, Phase phase, int samples) {
                                        .phase = phase});
 }
 
-// A measure of each triangle: a property of meshes.
+// A measure of each triangle, as a property of meshes.
 template <double (*measure)(const Complex<double>&, Triangle)>
 py::array of_triangles(const Mesh& mesh) {
     const Complex<double>& complex = mesh.complex();
@@ -80,13 +80,14 @@ How the domain is divided among its phases: a dict.
 domain boundary), `components` and `holes`; `["lengths"][one, other]` is the length of the interface
 of two phases, the smaller one first.
 )")
-        .def_property_readonly("qualities", &of_triangles<&quality<double>>,
-                               "Of each triangle: (m,), from 0 to 1 for an equilateral one.")
+        .def_property_readonly(
+            "qualities", &of_triangles<&quality<double>>,
+            "The quality of each triangle: (m,), from 0 to 1 for an equilateral one.")
         .def_property_readonly("min_angles", &of_triangles<&min_angle_deg<double>>,
                                "The smallest angle of each triangle, in degrees: (m,).")
-        .def_property_readonly(
-            "component_of", &component_of,
-            "Which connected part of its phase each triangle belongs to: (m,) int32, from 0.");
+        .def_property_readonly("component_of", &component_of,
+                               "The connected component of its phase to which each triangle "
+                               "belongs: (m,) int32, from 0.");
 }
 
 } // namespace dsc::python

@@ -33,12 +33,12 @@ std::vector<CurveParts> curves_of(const Mesh& mesh) {
     return list;
 }
 
-// --- where meshes come from --------------------------------------------------------------------
+// --- constructors of meshes --------------------------------------------------------------------
 
 using MadeMesh = std::shared_ptr<Mesh>;
 using WholeNumbers = ArrayLike<std::uint32_t>;
 
-// Triangles (m, 3), and a phase for each.
+// From triangles (m, 3) with a phase each.
 MadeMesh from_arrays(const Points& points, const WholeNumbers& triangles,
                      const WholeNumbers& phases) {
     std::vector<std::array<std::uint32_t, 3>> corners(static_cast<std::size_t>(phases.shape(0)));
@@ -57,7 +57,7 @@ InitialOptions initial_options(const py::dict& keywords) {
             .coverage = choices.coverage};
 }
 
-// The first complex, of shapes: (outline, phase inside), or of curves: (points, left, right).
+// The first complex from shapes (outline, phase inside) or from curves (points, left, right).
 template <class Piece, class... Phases>
 MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, Phases...>>& list,
                      const py::dict& keywords) {
@@ -74,7 +74,7 @@ MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, 
     return mesh;
 }
 
-// The first complex of an image, whose first row is the uppermost.
+// The first complex from an image, whose first row is the uppermost.
 MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size_t min_pixels,
                      const py::dict& keywords) {
     const LabelImage image{static_cast<std::size_t>(labels.shape(0)),
@@ -90,7 +90,7 @@ MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size
     return mesh;
 }
 
-// --- and as bytes, without data, which dsc/mesh.py adds ------------------------------------------
+// --- meshes as bytes, without data, which dsc/mesh.py adds ---------------------------------------
 
 py::bytes bytes_of(const Mesh& mesh) {
     Complex<double> copy(mesh.complex());
@@ -116,7 +116,7 @@ MadeMesh from_bytes(const py::bytes& bytes) {
 
 const Complex<double>& Mesh::complex() const {
     if (is_busy_) {
-        throw std::runtime_error("a step of this mesh runs: read the mesh after it");
+        throw std::runtime_error("a step of this mesh is running: read the mesh after the step");
     }
     return complex_;
 }
@@ -192,16 +192,16 @@ void add_mesh(py::module_& module) {
         .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
         .def_property_readonly("triangles", &Mesh::triangles,
                                "Rows of `points`, counter-clockwise: (m, 3) int32.")
-        .def_property_readonly("phases", &Mesh::phases, "Of each triangle: (m,) uint32.")
+        .def_property_readonly("phases", &Mesh::phases, "The phase of each triangle: (m,) uint32.")
         .def_property_readonly("revision", &Mesh::revision,
-                               "How often the mesh has been changed: equal while its triangles are "
-                               "the same.")
+                               "The number of changes of the mesh: equal numbers mean the same "
+                               "triangles.")
         .def_property_readonly(
             "mesh_hash", [](const Mesh& mesh) { return mesh_hash(mesh.complex()); },
-            "A number of 64 bits, equal for equal coordinates and phases, whatever their order.")
+            "A hash of 64 bits, equal for equal coordinates and phases in any order.")
         .def(
             "validate", [](const Mesh& mesh) { return validate(mesh.complex()).problem; },
-            "What is wrong with the complex, '' if nothing is. Exact.")
+            "The first error of the complex, '' if it is valid. Exact.")
         .def(
             "write_svg",
             [](const Mesh& mesh, const std::filesystem::path& path) {
@@ -221,7 +221,7 @@ void add_mesh(py::module_& module) {
                        {points, thinned, deviation, area_changed, dropped, area_dropped, clipped});
                });
     module.def("current_option", &current_option, "name"_a,
-               "The name of an option now; warns if `name` is that of release 0.1.");
+               "The current name of an option; warns if `name` is the one of release 0.1.");
     module.attr("size_help") = option_help(Use::initial_complex);
     add_data(type);
     add_measures(module, type);

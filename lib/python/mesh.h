@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A complex as Python sees it: dense arrays in place of ids with gaps.
+// A complex for Python, with dense arrays instead of ids with gaps.
 #pragma once
 
 #include "python/arrays.h"
@@ -9,8 +9,8 @@
 
 namespace dsc::python {
 
-/// A complex with its arrays, which are made when somebody asks for them, and kept until the
-/// complex changes. While a step runs the mesh is busy: nobody else may read it.
+/// A complex with its arrays, which are made on first use and cached until the complex changes.
+/// While a step runs, the mesh is busy and cannot be read.
 class Mesh {
 public:
     explicit Mesh(Complex<double> complex) : complex_(std::move(complex)) {}
@@ -23,24 +23,24 @@ public:
 
     /// Throws std::runtime_error while a step runs.
     [[nodiscard]] const Complex<double>& complex() const;
-    /// For a simulation of it.
+    /// The complex, for its simulation.
     [[nodiscard]] Complex<double>& complex_to_step() { return complex_; }
 
-    /// Vertices in the order of their ids, without those that have vanished: (n, 2), frozen.
+    /// Living vertices in the order of their ids: (n, 2), read-only.
     [[nodiscard]] py::array points() { return arrays().points; }
-    /// Rows of `points`, counter-clockwise: (m, 3) of int32, frozen.
+    /// Rows of `points`, counter-clockwise: (m, 3) of int32, read-only.
     [[nodiscard]] py::array triangles() { return arrays().triangles; }
-    /// Of each triangle: (m,) of uint32, frozen.
+    /// The phase of each triangle: (m,) of uint32, read-only.
     [[nodiscard]] py::array phases() { return arrays().phases; }
 
-    /// How often the mesh has been changed: two equal numbers, the same triangles.
+    /// The number of changes of the mesh: equal numbers mean the same triangles.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-    /// Drops the arrays, and keeps the mesh busy until the result is dropped: for a change. Throws
-    /// std::runtime_error if another one is under way.
+    /// To be called before a change: drops the arrays, and keeps the mesh busy until the result is
+    /// destroyed. Throws std::runtime_error if another change is running.
     [[nodiscard]] std::shared_ptr<void> change();
 
-    InputReport input_report; ///< of the shapes or curves that the mesh was made of, if it was
+    InputReport input_report; ///< of the shapes or curves from which the mesh was made, if any
 
 private:
     struct Arrays {
@@ -58,7 +58,7 @@ private:
 
 using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
 
-/// Removes attributes that are no data of Python, which simulations before have left.
+/// Removes attributes left by earlier simulations that are not data of Python.
 void forget_foreign_data(Complex<double>& complex);
 
 } // namespace dsc::python

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compiled part of the Python package dsc: it takes what dsc/*.py has checked, and these have
-// what users see.
+// The compiled part of the Python package dsc. Its arguments have been checked by dsc/*.py, which
+// defines the public interface.
 #include "python/module.h"
 #include "fluid/solve/solve_report.h"
 #include "replay/sealed_file.h"
@@ -11,11 +11,11 @@ PYBIND11_MODULE(_dsc, module) {
     py::register_exception<dsc::InputError>(module, "InputError", PyExc_ValueError).doc() =
         "Bad input: what is wrong, where, what was given and what is allowed.";
     py::register_exception<dsc::FileError>(module, "FileError", PyExc_OSError).doc() =
-        "A file that cannot be written, or bytes that are not what was written.";
+        "A file that cannot be read or written, or damaged bytes.";
     py::register_exception<dsc::SolveError>(module, "SolveError", PyExc_RuntimeError).doc() =
         "Equations of a fluid that cannot be solved: triangles have degenerated, or it is too "
         "fast.";
-    // Bytes that a changed byte makes unreadable.
+    // Sealed bytes, in which a changed byte is detected.
     const dsc::SealedKind kind{"dsc-py"};
     module.def("sealed",
                [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });

@@ -6,11 +6,11 @@
 
 namespace dsc::python {
 
-/// Adds `Mesh`, by the next two as well.
+/// Adds `Mesh`; calls the next two functions.
 void add_mesh(py::module_& module);
 /// Adds the functions behind `Mesh.vertex_data` and `Mesh.triangle_data`.
 void add_data(MeshClass& mesh);
-/// Adds what judges meshes to their class, and functions of outlines to the module.
+/// Adds measures to the class of meshes, and functions of outlines to the module.
 void add_measures(py::module_& module, MeshClass& mesh);
 /// Adds `Flow`, and the functions that make flows.
 void add_flows(py::module_& module);

@@ -13,14 +13,14 @@ namespace dsc::python {
 
 namespace {
 
-// As Python would print it, cut after 60 characters.
+// The repr of a value, cut after 60 characters.
 std::string shown(const py::handle& value) {
     constexpr std::size_t longest = 60;
     const auto text = py::repr(value).cast<std::string>();
     return text.size() <= longest ? text : text.substr(0, longest) + "…";
 }
 
-// --- sizes: functions of Python that return a number, called by whichever thread needs it --------
+// --- sizes: Python functions that return a number, called by any thread --------------------------
 
 struct SizeFunction {
     SharedFunction function;
@@ -42,14 +42,14 @@ private:
             return result.cast<double>();
         } catch (const py::cast_error&) {
             throw InputError({.what = "a size function must return a number",
-                              .where = "what a size function returns",
+                              .where = "the result of a size function",
                               .value = shown(result),
                               .allowed = "a number"});
         }
     }
 };
 
-// What it is called with.
+// The call of a size function, for errors.
 std::string call_of(const SizeOptions<double>::ByPlace& /*type*/) { return "f(x, y, time, phase)"; }
 std::string call_of(const SizeOptions<double>::OnInterface& /*type*/) { return "f(x, y, time)"; }
 std::string call_of(const SizeOptions<double>::ByDistance& /*type*/) { return "f(distance)"; }
@@ -83,7 +83,7 @@ concept IsNamed = requires(Field field) {
 
 } // namespace dsc::python
 
-// --- how pybind11 converts them ------------------------------------------------------------------
+// --- conversions by pybind11 ---------------------------------------------------------------------
 
 template <dsc::python::IsNamed Choice>
 struct pybind11::detail::type_caster<Choice> {
@@ -127,7 +127,7 @@ namespace dsc::python {
 
 namespace {
 
-// What a field may be: in Python's words, but for choices and functions.
+// The allowed values of a field: names of Python types, except for choices and functions.
 template <class Field>
 std::string allowed(const Field& field) {
     if constexpr (IsNamed<Field>) {
@@ -154,7 +154,7 @@ void set(Field& field, const std::string& name, const py::handle& value) {
 }
 
 // --- the table ---------------------------------------------------------------------------------
-// `visit(name, field, meaning)` for each; the choices may be const.
+// Calls `visit(name, field, meaning)` for each option; the choices may be const.
 
 // clang-format off: a row is a line or two
 template <class AnyChoices, class Visit>
@@ -165,50 +165,48 @@ void for_each_option(AnyChoices& choices, Use use, Visit visit) {
     auto& interface = options.interface;
     visit("edge_length", options.edge_length, "target length of edges, in units of the domain");
     visit("growth", sizes.growth,
-          "how much longer an edge may be than the next one, 1 to 2; 0: of one length");
-    visit("longest", sizes.longest, "the longest edge where they grow; 0: as long as the domain");
-    visit("shortest", sizes.shortest,
-          "the shortest edge that these functions may ask for; 0: the edge length");
-    visit("by_place", sizes.by_place, "a target by place where edges grow");
-    visit("by_distance", sizes.by_distance, "a target by the distance to the interface");
-    visit("on_interface", sizes.on_interface, "a target for the interface's own edges");
-    visit("changes_in_time", sizes.changes_in_time, "whether these functions do");
+          "ratio of the lengths of neighbouring edges, 1 to 2; 0: uniform lengths");
+    visit("longest", sizes.longest, "the longest edge if edges grow; 0: no limit but the domain");
+    visit("shortest", sizes.shortest, "lower bound of the functions below; 0: the edge length");
+    visit("by_place", sizes.by_place, "a target length by place, if edges grow");
+    visit("by_distance", sizes.by_distance, "a target length by the distance to the interface");
+    visit("on_interface", sizes.on_interface, "a target length of interface edges");
+    visit("changes_in_time", sizes.changes_in_time, "whether these functions depend on time");
     if (use == Use::initial_complex) {
-        visit("detail", detail, "what happens to detail of shapes that is finer than the mesh");
+        visit("detail", detail, "treatment of detail of shapes that is finer than the mesh");
         visit("border_tolerance", border_tolerance,
-              "borders of shapes nearer than this are one, in edge lengths; 0.001 to 0.1");
-        visit("coverage", coverage, "what happens to wider gaps and overlaps of shapes");
+              "borders of shapes nearer than this are merged, in edge lengths; 0.001 to 0.1");
+        visit("coverage", coverage, "treatment of wider gaps and overlaps of shapes");
         return;
     }
     visit("integrator", options.integrator, "how targets are found from velocities");
     visit("tolerance", options.tolerance, "of the adaptive integrator, in edge lengths");
     visit("insertion", options.insertion, "where new interface vertices go");
-    visit("coarsening", interface.coarsening, "which interface vertices may go");
-    visit("reading", interface.reading, "what the deviation of the interface is measured from");
+    visit("coarsening", interface.coarsening, "which interface vertices may be removed");
+    visit("reading", interface.reading, "the curve from which the deviation is measured");
     visit("deviation", interface.deviation,
           "by which coarsening may move the interface, in edge lengths");
     visit("feature_degrees", interface.feature_degrees,
-          "sharper turns at the start are corners, which are kept");
+          "sharper turns at the start are features, which are kept");
     visit("turn_degrees", interface.turn_degrees,
           "interface edges along which it turns by more are split; 0: none");
     visit("gap", interface.gap, "interface edges longer than this times a gap are split; 0: none");
     visit("advected_phases", options.advected_phases, "phases whose inside moves with the flow");
     visit("sub_step", options.sub_step,
-          "the farthest that a vertex moves at a time, in edge lengths");
-    visit("max_sub_steps", options.max_sub_steps, "of one step, which gives up then");
-    visit("topology", topology.rule, "what happens where a phase becomes thin");
+          "the largest displacement of a vertex in a sub-step, in edge lengths");
+    visit("max_sub_steps", options.max_sub_steps, "a step that needs more gives up");
+    visit("topology", topology.rule, "whether the topology is kept or may change");
     visit("contact", topology.contact,
           "thickness at which a film opens, a length; 0: 0.4 edge lengths");
     visit("min_area", topology.min_area,
           "smaller pieces vanish where topology is change; 0: edge_length**2");
-    visit("follows_seams", topology.follows_seams,
-          "whether a film goes on opening beside where it has opened");
+    visit("follows_seams", topology.follows_seams, "whether an opening continues along the film");
     visit("gives_back_area", topology.gives_back_area,
-          "whether area that changes hands is given back");
+          "whether area lost in changes of topology is given back");
     visit("threads", threads,
-          "None: sequential; 1 to 1024: in submeshes, with one result for any number");
+          "None: sequential; 1 to 1024: in submeshes, with the same result for any number");
     visit("division", division, "how the mesh is divided among threads");
-    visit("submeshes", submeshes, "0: the division's own choice");
+    visit("submeshes", submeshes, "0: chosen by the division");
 }
 // clang-format on
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options of a simulation as keyword arguments, in one table: what is set, what is read back,
-// what errors allow and what the help says come from it.
+// The options of a simulation as keyword arguments, in one table, which is used for setting,
+// reading, errors and help texts.
 #pragma once
 
 #include "python/arrays.h"
@@ -20,7 +20,7 @@ struct ChosenDivision {
     bool operator==(const ChosenDivision&) const = default;
 };
 
-/// All that `Simulation(mesh, **options)` takes.
+/// All options of `Simulation(mesh, **options)`.
 struct Choices {
     Options<double> options;
     TopologyOptions<double> topology;
@@ -31,26 +31,27 @@ struct Choices {
     std::optional<ChosenDivision> division;
     std::optional<std::uint32_t> submeshes;
 
-    /// Nothing if none of these was given: the simulation is sequential.
+    /// Empty if none of these was given: the simulation is then sequential.
     [[nodiscard]] std::optional<Parallel> parallel() const;
 };
 
-/// What keywords are given to.
+/// The function to which keywords are given.
 enum class Use : std::uint8_t {
     simulation,      ///< all
     initial_complex, ///< the sizes of edges
 };
 
-/// Sets what the keywords name. Throws InputError for an unknown one or a value of another type.
+/// Sets options from keywords. Throws InputError for an unknown keyword or a value of the wrong
+/// type.
 void apply(Choices& choices, const py::dict& keywords, Use use = Use::simulation);
 
 /// All values, by name.
 [[nodiscard]] py::dict values_of(const Choices& choices);
 
-/// For each option its name, type and default, and what it is, as numpydoc has them.
-/// The name of an option now; warns in Python if `name` is that of release 0.1.
+/// The current name of an option; warns in Python if `name` is the one of release 0.1.
 [[nodiscard]] std::string current_option(const std::string& name);
 
+/// The help text: name, type, default and meaning of each option, in the style of numpydoc.
 [[nodiscard]] std::string option_help(Use use = Use::simulation);
 
 } // namespace dsc::python

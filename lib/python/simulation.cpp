@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation as Python sees it: with its mesh, its stages, and what the last step did.
+// A simulation for Python, with its mesh, its stages and the report of the last step.
 #include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/stage.h"
 #include "dsc/base/names.h"
@@ -25,8 +25,8 @@ py::dict event_of(const Event& event) {
                     "taken"_a = std::pair(event.taken[0], event.taken[1]), "area"_a = event.area);
 }
 
-// After each sub-step it notes how far the step has come, and lets handlers of signals run: what
-// they raise, such as KeyboardInterrupt, ends the step.
+// After each sub-step, records the progress of the step and runs signal handlers: their exceptions,
+// such as KeyboardInterrupt, end the step.
 class Watch final : public Stage<double> {
 public:
     StepReport so_far;
@@ -42,7 +42,7 @@ public:
     }
 };
 
-// A simulation with its mesh, its stages and what the last step did.
+// A simulation with its mesh, its stages and the report of the last step.
 class Running {
 public:
     Running(std::shared_ptr<Mesh> mesh, const AnyFlow* flow, const py::dict& keywords)
@@ -72,7 +72,7 @@ public:
     [[nodiscard]] const std::shared_ptr<Mesh>& mesh() const { return mesh_; }
     [[nodiscard]] py::dict options() const { return values_of(choices_); }
     [[nodiscard]] double time() const { return report_.reached; }
-    // What the last step did, by the names of dsc/records.py.
+    // The report of the last step, with the names of dsc/records.py.
     [[nodiscard]] py::dict report() const {
         py::list events;
         for (const Event& event : events_) {
@@ -100,7 +100,8 @@ public:
             const py::gil_scoped_release others_run;
             report_ = flow.step(*simulation_, time, dt);
         } catch (const InputError&) {
-            if (watch_->so_far.sub_steps > 0) { // else it was refused: nothing has moved
+            if (watch_->so_far.sub_steps >
+                0) { // otherwise the step was refused and nothing has moved
                 note_failure();
             }
             throw;
@@ -153,14 +154,15 @@ void add_simulation(py::module_& module) {
 
     py::class_<Running>(module, "Simulation")
         .def(py::init<std::shared_ptr<Mesh>, const AnyFlow*, const py::dict&>(),
-             py::keep_alive<1, 2>()) // what the mesh is in Python
+             py::keep_alive<1, 2>()) // the Python object of the mesh
         .def("_step", &Running::step)
         .def("_report", &Running::report)
         .def("_state", &Running::state)
         .def("_restore", &Running::restore)
         .def_property_readonly("mesh", &Running::mesh, "The mesh that moves.")
-        .def_property_readonly("time", &Running::time,
-                               "The time that the last step reached, be it by an exception.")
+        .def_property_readonly(
+            "time", &Running::time,
+            "The time that the last step reached, also if it ended by an exception.")
         .def_property_readonly("options", &Running::options, "All options: a dict.")
         .def_property_readonly("interface_size", &Running::interface_size,
                                "The number of interface vertices.");

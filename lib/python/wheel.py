@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes the wheel for `pip install .` as PEP 517 asks, by CMake and the standard library alone, without a network."""
+"""Builds the wheel for `pip install .` (PEP 517) with CMake and the standard library only, without a network."""
 import base64, hashlib, pathlib, re, subprocess, sys, sysconfig, tempfile, zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -19,7 +19,7 @@ Requires-Dist: matplotlib; extra == "drawing"
 Description-Content-Type: text/markdown
 
 """
-NEEDED = """dsc was not built: CMake says above why. It takes a C++20 compiler, CMake 3.25, Eigen, Boost, zlib,
+NEEDED = """dsc was not built; see CMake's errors above. It needs a C++20 compiler, CMake 3.25, Eigen, Boost, zlib,
 pybind11 and Python's headers (Debian: cmake g++ libeigen3-dev libboost-dev zlib1g-dev pybind11-dev python3-dev)"""
 
 def run(*command):
@@ -27,7 +27,7 @@ def run(*command):
         raise SystemExit(NEEDED)
 
 def compiled(build):
-    """The package as CMake lays it out in this build tree, which is configured first if it is new."""
+    """The package in this build tree of CMake, which is configured first if it is new."""
     if not (build / "CMakeCache.txt").exists():
         options = ("CMAKE_BUILD_TYPE=Release", "DSC_BUILD_HARNESS=OFF", "DSC_INSTALL=OFF", "DSC_BUILD_PYTHON=ON",
                    "DSC_UNITY=ON", "DSC_PRECOMPILE=ON", f"DSC_MODULE_PYTHON={sys.executable}")
@@ -44,7 +44,7 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     return INFO
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """`config_settings["build-dir"]`: a build tree to use again; else a temporary one."""
+    """The build tree: `config_settings["build-dir"]`, which can be reused, or else a temporary one."""
     with tempfile.TemporaryDirectory() as temporary, tempfile.TemporaryDirectory() as described:
         package = compiled(pathlib.Path((config_settings or {}).get("build-dir", temporary)))
         info = pathlib.Path(described) / prepare_metadata_for_build_wheel(described)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smooth closed curves by a parameter. The exact image of a shape under a flow is computed from its
-// curve, never from the polygon that a mesh starts with.
+// Closed parametric curves. The exact image of a shape under a flow is computed from its curve, not
+// from the polygon with which a mesh starts.
 #pragma once
 
 #include "shapes/outline.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Closed polygons: the shapes that scenes start from and that measures compare.
+// Closed polygons: the first shapes of scenes, and the shapes that measures compare.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -36,7 +36,7 @@ void check_outline(const Outline& outline, const std::string& where);
                                              std::span<const Outline> second,
                                              const std::string& where);
 
-/// The shape that an exact method would have at a time; all others are measured against it.
+/// The exact shape at some time, against which errors are measured.
 struct ExactShape {
     std::vector<Outline> outlines;
     double area = 0.0;      ///< exact, of the true shape rather than of its outlines

@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 /// A larger number of vertices results from a wrong unit.
 constexpr double max_vertices = 1e8;
-/// A shorter side is a point up to rounding. Relative to the size of the shape.
+/// Sides shorter than this, relative to the size of the shape, are points up to rounding.
 constexpr double same_point = 1e-13;
 
 void check_positive(double value, const std::string& what, const std::string& where) {
@@ -42,7 +42,7 @@ void append_side(const Point<double>& a, const Point<double>& b, double edge_len
     }
 }
 
-/// Appends what lies strictly between the ends of an arc that sweeps by `sweep` from `begin`.
+/// Appends points strictly between the ends of an arc that turns by `sweep` from `begin`.
 void append_arc(const Point<double>& centre, double radius, double begin, double sweep,
                 double edge_length, Outline& outline) {
     const int count = parts(radius * std::abs(sweep), edge_length, "arc");
@@ -57,7 +57,7 @@ double angle_of(const Point<double>& p, const Point<double>& centre) {
     return std::atan2(p.y() - centre.y(), p.x() - centre.x());
 }
 
-/// The angle by which to turn counter-clockwise from `from` to `to`, in (0, 2 pi].
+/// The counter-clockwise angle from `from` to `to`, in (0, 2 pi].
 double turn(double from, double to) {
     const double difference = std::remainder(to - from, 2.0 * pi);
     return difference > 0.0 ? difference : difference + 2.0 * pi;
@@ -106,7 +106,7 @@ std::vector<Point<double>> slot_corners(const SlottedDisc& disc) {
     const double bottom = disc.centre.y() - reach;
     const double top = disc.centre.y() - disc.radius + disc.slot_height;
     require(top > bottom && top < disc.centre.y() + reach, "slotted_disc: slot height",
-            disc.slot_height, "ends inside the disc");
+            disc.slot_height, "such that the slot ends inside the disc");
     return {{left, bottom}, {left, top}, {right, top}, {right, bottom}};
 }
 
@@ -141,7 +141,7 @@ Outline crescent(const Crescent& crescent, double edge_length) {
     const double b = crescent.bite_radius;
     require(distance > std::abs(r - b) && distance < r + b,
             "crescent: distance of the bite's centre", distance, "such that the two circles cross");
-    // The horns: `along` from the centre on the axis, `across` away from it on either side.
+    // The horns lie `along` from the centre on the axis and `across` from the axis on both sides.
     const double along = 0.5 * (distance + (r - b) * (r + b) / distance);
     const double across = std::sqrt((r - along) * (r + along));
     const Point<double> unit = axis / distance;
@@ -178,7 +178,7 @@ Outline dumbbell(const Dumbbell& d, double edge_length) {
     const double angle = std::atan2(to.y(), to.x());
     const double straight = 0.5 * d.distance - to.x(); // half the length of the neck
     Outline outline;
-    // One half after the other, each seen with its disc on the right.
+    // One half after the other, rotated so that its disc is on the right.
     for (const double side : {1.0, -1.0}) {
         const Point<double> disc = d.centre + side * Point<double>(0.5 * d.distance, 0);
         const double turned = side > 0 ? 0.0 : pi;
@@ -209,7 +209,7 @@ double dumbbell_area(const Dumbbell& d) {
     const Point<double> to = rounding_offset(d);
     const double angle = std::atan2(to.y(), to.x());
     const double discs = 2.0 * (pi - angle) * d.radius * d.radius;
-    // Between the centres of disc and arc and the axis, without the arc's sector.
+    // The area between the centres of disc and arc and the axis, without the arc's sector.
     const double beside =
         0.5 * to.x() * to.y() - 0.5 * d.rounding * d.rounding * (0.5 * pi - angle);
     return discs + 4.0 * beside + d.neck * (d.distance - 2.0 * to.x());

@@ -31,8 +31,8 @@ struct SlottedDisc {
     double slot_height = 0.25; ///< from the lowest point of the full disc to the end of the slot
 };
 
-/// The four corners of the slot, counter-clockwise along the disc: lower left, upper left, upper
-/// right, lower right. The lower two lie on the circle.
+/// The four corners of the slot in the order of the outline: lower left, upper left, upper right,
+/// lower right. The lower two lie on the circle.
 [[nodiscard]] std::vector<Point<double>> slot_corners(const SlottedDisc& disc);
 [[nodiscard]] Outline slotted_disc(const SlottedDisc& disc, double edge_length);
 /// The area in closed form, of the disc itself and not of its polygon.
@@ -59,8 +59,8 @@ struct Dumbbell {
     double rounding = 0.05; ///< radius of the arcs between the neck and the discs
 };
 
-/// From the centre of a disc to that of an arc beside it: along the axis, towards the other disc,
-/// and away from the axis.
+/// The vector from the centre of a disc to that of an arc beside it: x along the axis towards the
+/// other disc, y away from the axis.
 [[nodiscard]] Point<double> rounding_offset(const Dumbbell& dumbbell);
 [[nodiscard]] Outline dumbbell(const Dumbbell& dumbbell, double edge_length);
 /// The area in closed form.

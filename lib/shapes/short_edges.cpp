@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Voronoi diagram without its short edges.
+// Removes the short edges of a Voronoi diagram.
 #include "shapes/voronoi_diagram.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct ShortEdge {
     friend auto operator<=>(const ShortEdge&, const ShortEdge&) = default;
 };
 
-// The cell with vertex `a` in place of `b`, and without the edge between them.
+// The cell with vertex `b` replaced by `a`, and without the edge between them.
 VoronoiCell with_one_for_both(const VoronoiCell& cell, std::uint32_t a, std::uint32_t b) {
     const auto now = [&](std::size_t k) {
         const std::uint32_t v = cell.vertices[k < cell.vertices.size() ? k : 0];
@@ -49,13 +49,14 @@ public:
         }
     }
 
-    // Tries each short edge once, the shortest first; returns whether any is gone.
+    // Tries to contract each short edge once, the shortest first. Returns whether any was
+    // contracted.
     bool contract(double shortest) {
         bool any = false;
         for (const ShortEdge& edge : edges_below(shortest)) {
             const std::uint32_t a = vertex_now(edge.from);
             const std::uint32_t b = vertex_now(edge.to);
-            // The edge may be gone, or longer, since the list was made.
+            // The edge may have vanished or become longer since the list was made.
             if (a != b && (diagram_.vertices[a] - diagram_.vertices[b]).norm() < shortest) {
                 any = merge(std::min(a, b), std::max(a, b)) || any;
             }
@@ -89,29 +90,30 @@ private:
         return edges;
     }
 
-    // Where two vertices become one: one on a side or at a corner of the domain stays, where the
-    // other is not; two of a kind meet at the mean of what they have come from.
+    // The position of two merged vertices. A vertex at a corner of the domain wins over others, and
+    // one on a side over those inside; two of the same kind go to the mean of the vertices that
+    // they contain.
     [[nodiscard]] std::optional<Point<double>> place_of(std::uint32_t a, std::uint32_t b) const {
         const unsigned at_a = diagram_.sides[a];
         const unsigned at_b = diagram_.sides[b];
         const Point<double>& p = diagram_.vertices[a];
         const Point<double>& q = diagram_.vertices[b];
         if ((at_a | at_b) != at_a && (at_a | at_b) != at_b) {
-            return std::nullopt; // on two sides, but not at their corner
+            return std::nullopt; // they are on two different sides
         }
         if (at_a != at_b) {
             return (at_a | at_b) == at_a ? p : q;
         }
         Point<double> mean = (merged_[a] * p + merged_[b] * q) / (merged_[a] + merged_[b]);
-        if (at_a != 0) { // not even by rounding off its side
+        if (at_a != 0) { // stays exactly on its side
             const bool is_level = (at_a & 0b0101U) != 0;
             mean[is_level ? 1 : 0] = p[is_level ? 1 : 0];
         }
         return mean;
     }
 
-    // Makes vertex `b` part of `a` if all cells around them stay sound. A cell that has lost its
-    // third side turns clockwise on the way back along its second one.
+    // Merges vertex `b` into `a` if all cells around them stay valid. A cell that has lost its
+    // third side is found because it turns clockwise along its second one.
     bool merge(std::uint32_t a, std::uint32_t b) {
         const auto place = place_of(a, b);
         if (!place) {
@@ -144,8 +146,8 @@ private:
     }
 
     VoronoiDiagram& diagram_;
-    std::vector<double> merged_;     // by vertex: how many it is the mean of
-    std::vector<std::uint32_t> now_; // by vertex: itself, or the one that it became part of
+    std::vector<double> merged_;     // by vertex: the number of vertices that it contains
+    std::vector<std::uint32_t> now_; // by vertex: itself, or the vertex it was merged into
     std::vector<std::vector<std::uint32_t>> cells_; // by vertex, ascending
     std::vector<Point<double>> centres_;            // of the cells, before anything is contracted
 };

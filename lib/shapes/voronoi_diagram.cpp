@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which cells meet is found by Boost.Polygon (S. Fortune, "A sweepline algorithm for Voronoi
-// diagrams", 1987), exactly, for sites rounded to a fine grid of integers. The domain bounds the
-// cells as mirrors would: each site has an image behind each side, and the bisector to its own
-// image is that side. Vertices are then computed from the sites themselves.
+// Boost.Polygon (S. Fortune, "A sweepline algorithm for Voronoi diagrams", 1987) finds exactly
+// which cells meet, for sites rounded to a fine grid of integers. The sides of the domain act as
+// mirrors: each site has an image behind each side, and the side is the bisector of the site and
+// its image. Vertices are then computed from the unrounded sites.
 #include "shapes/voronoi_diagram.h"
 
 #include "dsc/base/error.h"
@@ -21,13 +21,13 @@ namespace dsc::scenes {
 
 namespace {
 
-/// Steps of the grid along the larger side: the images, too, fit into 32 bits.
+/// Steps of the grid along the longer side; the images still fit into 32 bits.
 constexpr double grid_steps = 0x1p29;
 
 using GridPoint = boost::polygon::point_data<std::int32_t>;
 using GridDiagram = boost::polygon::voronoi_diagram<double>;
 
-// What meets at a vertex: sites, ascending, and sides of the domain, as bits.
+// The cells that meet at a vertex: sites, ascending, and sides of the domain, as bits.
 struct Meeting {
     std::vector<std::uint32_t> sites;
     std::uint8_t sides = 0;
@@ -56,14 +56,14 @@ struct Meeting {
 std::string site_name(std::size_t site) { return "site " + std::to_string(site); }
 
 [[noreturn]] void refuse(const std::string& where, const std::string& value) {
-    throw InputError({.what = "it is not certain which cells meet: sites are nearly cocircular, "
-                              "too close to each other, or level with a corner of the domain",
+    throw InputError({.what = "rounding decides which cells meet: sites are nearly cocircular, "
+                              "too close to each other, or aligned with a corner of the domain",
                       .where = where,
                       .value = value,
-                      .allowed = "sites in general position; if need be, shifted a little"});
+                      .allowed = "sites in general position, for example slightly shifted"});
 }
 
-// The sites on the grid, and behind them their images at the four sides, n each.
+// The sites on the grid, followed by their images at the four sides, n each.
 std::vector<GridPoint> with_images(const Rectangle& domain, std::span<const Point<double>> sites) {
     const Point<double> size = domain.high - domain.low;
     const double scale = grid_steps / size.maxCoeff();
@@ -74,7 +74,7 @@ std::vector<GridPoint> with_images(const Rectangle& domain, std::span<const Poin
     const std::int32_t height = std::max(on_grid(size.y()), 2);
     std::vector<GridPoint> points;
     for (const Point<double>& site : sites) {
-        // Not on a side, where site and image would be one.
+        // Not on a side, where site and image would coincide.
         points.emplace_back(std::clamp(on_grid(site.x() - domain.low.x()), 1, width - 1),
                             std::clamp(on_grid(site.y() - domain.low.y()), 1, height - 1));
     }
@@ -100,7 +100,7 @@ std::vector<GridPoint> with_images(const Rectangle& domain, std::span<const Poin
     return points;
 }
 
-// Where the bisector of two sites meets a side of the domain.
+// The intersection of the bisector of two sites with a side of the domain.
 Point<double> point_on_side(const Rectangle& domain, std::uint32_t side, const Point<double>& a,
                             const Point<double>& b) {
     const Point<double> middle = (a + b) / 2;
@@ -113,7 +113,7 @@ Point<double> point_on_side(const Rectangle& domain, std::uint32_t side, const P
     return {x, middle.y() - d.x() * (x - middle.x()) / d.y()};
 }
 
-// The number of the vertex of this meeting, new or a corner of the domain.
+// The number of the vertex where these cells meet: a new one, or a corner of the domain.
 std::uint32_t add_vertex(const Meeting& m, VoronoiDiagram& diagram) {
     const auto site = [&](std::size_t i) { return diagram.sites[m.sites[i]]; };
     const auto corner =
@@ -126,7 +126,7 @@ std::uint32_t add_vertex(const Meeting& m, VoronoiDiagram& diagram) {
     }
     const bool on_side = m.sides != 0;
     if (m.sites.size() < (on_side ? 2U : 3U)) {
-        refuse(m.described(), "a vertex of fewer cells than meet at one");
+        refuse(m.described(), "a vertex of fewer than three cells or sides");
     }
     const auto side = static_cast<std::uint32_t>(std::countr_zero(m.sides));
     const Point<double> p =
@@ -136,7 +136,7 @@ std::uint32_t add_vertex(const Meeting& m, VoronoiDiagram& diagram) {
         return diagram.domain.low[axis] < p[axis] && p[axis] < diagram.domain.high[axis];
     };
     if (!(on_side ? between(side % 2) : between(0) && between(1))) {
-        refuse(m.described(), "a vertex that is not inside the domain once it is rounded");
+        refuse(m.described(), "a vertex outside the domain after rounding");
     }
     diagram.vertices.push_back(p);
     diagram.sides.push_back(m.sides);
@@ -197,7 +197,7 @@ VoronoiDiagram voronoi_diagram(const Rectangle& domain, std::span<const Point<do
     for (const GridDiagram::cell_type& cell : grid.cells()) {
         const auto i = static_cast<std::uint32_t>(cell.source_index());
         if (i >= count) {
-            continue; // that of an image
+            continue; // the cell of an image
         }
         const GridDiagram::edge_type* edge = cell.incident_edge();
         do {
@@ -214,7 +214,7 @@ VoronoiDiagram voronoi_diagram(const Rectangle& domain, std::span<const Point<do
             edge = edge->next();
         } while (edge != cell.incident_edge());
     }
-    std::vector<std::uint32_t> numbers; // of the vertices that sites see
+    std::vector<std::uint32_t> numbers; // of the vertices of the cells of sites
     for (const Meeting& meeting : meetings) {
         numbers.push_back(meeting.sites.empty() ? 0 : add_vertex(meeting, diagram));
     }
@@ -223,7 +223,7 @@ VoronoiDiagram voronoi_diagram(const Rectangle& domain, std::span<const Point<do
         std::ranges::transform(cell.vertices, cell.vertices.begin(),
                                [&](std::uint32_t v) { return numbers[v]; });
         if (!is_seen_from(sites[i], diagram.corners_of(cell), cell.beyond)) {
-            refuse(site_name(i), "vertices of its cell that are one when rounded");
+            refuse(site_name(i), "vertices of its cell that coincide after rounding");
         }
     }
     return diagram;

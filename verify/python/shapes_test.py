@@ -154,7 +154,7 @@ class Meshio(unittest.TestCase):
         hidden = {"phase": [[9], np.ma.masked_equal([3], 3), [4]]}
         heights = self.given().points + np.eye(5, 3, -1)
         masked = np.ma.masked_equal(self.given().points, 1)
-        for changed, words in [({"cells": quads}, r"cells\[0\]: cells that are no triangles: got 1 of type 'quad'"),
+        for changed, words in [({"cells": quads}, r"cells\[0\]: cells that are not triangles: got 1 of type 'quad'"),
                                ({"cells": []}, "no triangles"),
                                ({"cell_data": hidden}, r"cell_data\['phase'\]: masked entries: got 1 of 2"),
                                ({"points": heights}, "points at several heights"),

@@ -96,8 +96,8 @@ class AMesh(unittest.TestCase):
         mesh = disc_mesh()
         other = dsc.Mesh(mesh.points, mesh.triangles, mesh.phases)
         self.assertEqual(other.mesh_hash, mesh.mesh_hash)
-        for arguments, sentence in (((mesh.points, mesh.triangles, mesh.phases[1:]), "do not fit"),
-                                    ((mesh.points, mesh.triangles[:, :2], mesh.phases), "do not fit"),
+        for arguments, sentence in (((mesh.points, mesh.triangles, mesh.phases[1:]), "do not match"),
+                                    ((mesh.points, mesh.triangles[:, :2], mesh.phases), "do not match"),
                                     ((mesh.points, mesh.triangles - 1, mesh.phases), "triangles: not an"),
                                     ((mesh.points, mesh.triangles + 1, mesh.phases), ""),
                                     ((mesh.points, mesh.triangles * 1.0, mesh.phases), "triangles: not an"),

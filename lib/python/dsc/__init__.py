@@ -42,7 +42,7 @@ __all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError",
 
 
 def __getattr__(name):
-    """Imports what few programs need when they do."""
+    """Imports rarely used parts on first use."""
     import importlib
 
     if name in ("bench", "scenes"):

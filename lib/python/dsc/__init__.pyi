@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The types of what users find in the package; docstrings are in the module.
+# The types of the public names; docstrings are in the module.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
 from typing import Any, Literal, NamedTuple, TypedDict

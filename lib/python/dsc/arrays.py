@@ -1,33 +1,33 @@
 # SPDX-License-Identifier: MIT
-"""What users give, as the compiled part takes it; whatever is wrong with it ends in a sentence."""
+"""Checks and converts arguments for the compiled part; errors are sentences."""
 import operator
 
 import numpy as np
 
 from . import _dsc
 
-LARGEST = 0xffffffff  # of 32 bits; as a phase it stands for the outside of the domain
+LARGEST = 0xffffffff  # of 32 bits; as a phase, the outside of the domain
 
 
 def refuse(what, where, value, allowed):
-    """Raises InputError, in the words of the library."""
+    """Raises InputError in the form of the library's errors."""
     raise _dsc.InputError(f"{where}: {what}: got {value}; allowed: {allowed}")
 
 
 def shown(value):
-    """As Python would print it, cut after 60 characters."""
+    """The `repr` of a value, cut after 60 characters."""
     text = repr(value)
     return text if len(text) <= 60 else text[:60] + "…"
 
 
 def numbers(value, where):
-    """An array of real numbers, or None: complex ones and texts would be cast in silence.
+    """An array of real numbers; None for complex numbers and texts, which numpy would cast silently.
 
-    Raises InputError where entries are masked: what is below a mask is no number.
+    Raises InputError if entries are masked.
     """
     if np.ma.is_masked(value):
         refuse("masked entries", where, f"{np.ma.count_masked(value)} of {np.ma.size(value)}",
-               "none: leave them out, or give them values by `filled`")
+               "none: leave them out, or replace them by `filled`")
     try:
         array = np.asarray(value)
     except ValueError:  # rows of several lengths
@@ -42,17 +42,17 @@ def points(value, where, rows="n"):
     if array is None:
         refuse("not an array of points", where, shown(value), shape)
     if array.ndim != 2 or array.shape[1] != 2 or rows not in ("n", len(array)):
-        refuse("points of another shape", where, f"an array of the shape {array.shape}", shape)
+        refuse("points of the wrong shape", where, f"an array of the shape {array.shape}", shape)
     return array
 
 
 def point(value, where):
-    """The two coordinates of anything with two numbers. Raises InputError."""
+    """The two coordinates of an object with two numbers. Raises InputError."""
     return points([value], where, 1)[0].tolist()
 
 
 def whole_numbers(value, where, shape, dimensions):
-    """An array of numbers from 0 that fit into 32 bits. Raises InputError."""
+    """An array of non-negative numbers of 32 bits. Raises InputError."""
     array = numbers(value, where)
     if array is None or array.dtype.kind not in "iu" or array.ndim != dimensions or (
             array.size and not 0 <= array.min() <= array.max() <= LARGEST):
@@ -84,7 +84,7 @@ def phase(value, where):
 
 
 def outlines(value, where):
-    """One outline, or those of a list or tuple of arrays, as a list. Raises InputError."""
+    """A list of outlines from one outline, or from a list or tuple of arrays. Raises InputError."""
     def is_point(one):
         array = numbers(one, where)
         return array is not None and array.ndim == 1
@@ -97,7 +97,7 @@ def outlines(value, where):
 
 
 def flat_points(value, where):
-    """An array of points (n, 2); a third column is left out if it is the same for all. Raises InputError."""
+    """An array of points (n, 2); a constant third column is dropped. Raises InputError."""
     array = numbers(value, where)
     if array is not None and array.ndim == 2 and array.shape[1] == 3:
         if len(array) and np.ptp(array[:, 2]):
@@ -110,8 +110,8 @@ def flat_points(value, where):
 def polygons(value, where):
     """Polygons as a list of (name, outline, holes). Raises InputError.
 
-    Takes one ring of points, a list or tuple of them, and whatever has a `__geo_interface__` or is
-    the dictionary that this stands for: polygons, collections, and features of these.
+    Accepts one ring of points, a list or tuple of rings, and objects with a `__geo_interface__` or
+    such dictionaries: polygons, collections, and features of these.
     """
     value = getattr(value, "__geo_interface__", value)
     if isinstance(value, dict):
@@ -143,14 +143,14 @@ def _geometry(value, where):
 
 
 def shapes(value):
-    """What `initial_complex` takes as shapes, as a list of (outline, phase, holes, name). Raises InputError."""
+    """The shapes of `initial_complex` as a list of (outline, phase, holes, name). Raises InputError."""
     value = getattr(value, "__geo_interface__", value)
     if value is None:
         return []
     if not isinstance(value, dict):
         refuse("not shapes", "shapes", shown(value),
-               "a dict of phases and polygons, or what has a __geo_interface__")
-    if "type" in value:  # each feature is a phase: its own, or the next number
+               "a dict of phases and polygons, or an object with a __geo_interface__")
+    if "type" in value:  # each feature is a phase: that of its property, or the next number
         features = value["features"] if value["type"] == "FeatureCollection" else [value]
         value = {}
         for k, one in enumerate(features):

@@ -17,8 +17,8 @@ def read(*paths):
     Returns
     -------
     pandas.DataFrame or dict of arrays
-        A column for each name that a row has; NaN or None where others have none. A frame where
-        pandas is installed. `file` says where a row comes from.
+        A column for each name in any row; NaN or None if a row lacks it. A frame if
+        pandas is installed. `file` is the file of a row.
     """
     files = [file for path in map(pathlib.Path, paths)
              for file in (sorted(path.glob("*.json")) if path.is_dir() else [path])]

@@ -11,8 +11,8 @@ OF_THE_MESH = ("phase", "position")
 class Data(MutableMapping):
     """Arrays by name, one entry for each vertex or triangle: numbers (n,) or vectors (n, 2).
 
-    They follow the mesh: a vertex that a split makes takes the value between its neighbours, a
-    triangle that of the one it was cut off. Reading gives a copy; assign it to write it back.
+    They follow the mesh: a vertex made by a split gets the value interpolated from its neighbours, a
+    new triangle that of the triangle that was split. Reading returns a copy; assign it to write it back.
     """
 
     def __init__(self, mesh, kind):
@@ -30,11 +30,11 @@ class Data(MutableMapping):
 
     def __setitem__(self, name, values):
         if name in OF_THE_MESH:
-            refuse("what files call the mesh's own", f"{self._kind}_data", repr(name), "another name")
+            refuse("a name that files use for the mesh itself", f"{self._kind}_data", repr(name), "another name")
         count = len(self._mesh.points if self._kind == "vertex" else self._mesh.triangles)
         array = numbers(values, name)
         if array is None or array.shape not in ((count,), (count, 2)):
-            refuse("not the data of these simplices", name, shown(values),
+            refuse(f"not one entry for each {self._kind}", name, shown(values),
                    f"numbers of the shape ({count},) or ({count}, 2)")
         getattr(self._mesh, f"_set_{self._kind}_data")(name, array)
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of meshes by matplotlib, which is imported where something is drawn."""
+"""Pictures of meshes by matplotlib, which is imported on first use."""
 import numpy as np
 
-# Okabe and Ito (2008), which the colour-blind can tell apart; the exterior is white.
+# The palette of Okabe and Ito (2008), safe for the colour-blind; the exterior is white.
 PALETTE = ("#ffffff", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#0072b2", "#d55e00")
-MOST_EDGES = 40_000  # triangles: with more, edges would cover everything
+MOST_EDGES = 40_000  # triangles: with more, edges would hide the colours
 
 
 def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALETTE, **style):
@@ -14,18 +14,18 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
     ----------
     mesh : Mesh
     ax : matplotlib.axes.Axes, optional
-        By default the present one.
+        By default the current one.
     values : array_like, optional
-        Of each triangle, in place of its phase.
+        Values of the triangles, coloured instead of their phases.
     edges : bool, optional
-        Whether edges are drawn; by default where they can be told apart.
+        Whether edges are drawn; by default if the mesh has few enough.
     interface : bool
         Whether the interface is drawn.
     palette : sequence of colours
-        The first is that of phase 0. Phases beyond the last use the others again, neighbours different
-        ones where there are enough.
+        The first is that of phase 0. Larger phases reuse the others, with different colours for
+        neighbours if there are enough.
     **style
-        Handed to `Axes.tripcolor`.
+        Passed to `Axes.tripcolor`.
 
     Returns
     -------
@@ -56,8 +56,8 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
 
 
 def _colours(mesh, count):
-    """The place of each triangle in a palette: its phase, from the beginning again after the last; a phase
-    that would have the colour of a smaller one beside it takes the next that none of those has."""
+    """The index of each triangle in a palette: its phase, cyclically; a phase that would have the colour
+    of a smaller neighbouring phase takes the next colour that no such neighbour has."""
     phases = mesh.phases.astype(int)
     if count < 2 or phases.max(initial=0) < count:
         return phases % count
@@ -78,17 +78,17 @@ def _colours(mesh, count):
 
 
 def animate(sim, flow, dt, steps, *, every=1, ax=None, **style):
-    """A film of a run, which makes its steps as the film is saved or shown.
+    """An animation of a run; the steps are made when it is saved or shown.
 
     Parameters
     ----------
     sim, flow, dt, steps
         As for `run`.
     every : int
-        Steps from picture to picture.
+        Steps between pictures.
     ax : matplotlib.axes.Axes, optional
     **style
-        Handed to `plot`.
+        Passed to `plot`.
 
     Returns
     -------

@@ -15,7 +15,7 @@ class Flow:
     """
 
     def __init__(self, name, *given):
-        """By the function of the compiled part that has this name, with what it takes."""
+        """Calls the function of the compiled part with this name and these arguments."""
         self._name = name
         self._given = given
         self._compiled = getattr(_dsc, name)(*given)
@@ -28,14 +28,14 @@ class Flow:
 
 
 def interface_flow(function):
-    """A flow that sees the interface.
+    """A flow that depends on the interface.
 
     Parameters
     ----------
     function : callable
-        Called as `function(interface, time)` with an `Interface`, once in each stage of the
-        integrator (`euler`, `midpoint` or `rk4`) for all of the interface, by the thread that called
-        `step`; returns velocities (n, 2).
+        The thread that called `step` calls `function(interface, time)` with an `Interface`, once in
+        each stage of the integrator (`euler`, `midpoint` or `rk4`) for the whole interface. It
+        returns velocities (n, 2).
 
     Returns
     -------
@@ -43,8 +43,8 @@ def interface_flow(function):
 
     Notes
     -----
-    Explicit integrators limit the step of a flow that smooths: where the velocity is -curvature *
-    normal, dt * 4 / l**2 must stay below 2, with l the shortest edge. `curvature_flow` has no limit.
+    Explicit integrators limit the step of a flow that smooths: for the velocity -curvature *
+    normal, dt * 4 / l**2 must be below 2, with l the shortest edge. `curvature_flow` has no limit.
 
     Examples
     --------
@@ -74,14 +74,14 @@ def swirl(amplitude=1.0, period=0.0):
 
 
 def growth(speeds):
-    """Phases grow along their normals; convex corners open into arcs.
+    """Phases grow along their normals; convex features open into arcs.
 
     The simulation must be made for it: `dsc.Simulation(mesh, flow, edge_length=h)`.
 
     Parameters
     ----------
     speeds : dict
-        `{(growing, into): speed}`, in lengths per time; interfaces of other pairs stay.
+        `{(growing, into): speed}`, in lengths per time; interfaces of other pairs do not move.
 
     Returns
     -------
@@ -96,10 +96,10 @@ def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
     Parameters
     ----------
     tension, mobility : float, dict or (n, n) array_like
-        Of all pairs of phases; or by pair, `{(one, other): value}`, and 1 for those not named; or a
-        symmetric matrix whose rows and columns are phases.
+        The value of all pairs of phases; or values by pair, `{(one, other): value}`, with 1 for all others;
+        or a symmetric matrix whose rows and columns are phases.
     keep_areas_of : Mesh or dict, optional
-        Each phase but 0 keeps the area that it has in this mesh, or the area that is given by phase.
+        Phases with constant areas: each phase but 0 of this mesh with its area, or areas by phase.
 
     Returns
     -------
@@ -108,12 +108,12 @@ def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
     Warns
     -----
     UserWarning
-        Of three phases one tension is larger than the other two together, so that they balance at no
-        junction: the third phase spreads between the first two.
+        If one of the three tensions of three phases is larger than the other two together: no junction
+        is in balance, and the third phase spreads between the first two.
 
     Examples
     --------
-    By W. T. Read and W. Shockley (1950), of the orientations of grains that differ by up to 15 degrees:
+    The tensions of W. T. Read and W. Shockley (1950) for grains whose orientations differ by up to 15 degrees:
 
     >>> angles = np.radians([0, 4, 9, 13])
     >>> apart = np.abs(angles[:, None] - angles) / np.radians(15)
@@ -137,7 +137,7 @@ def _by_pair(given, where):
         values = {}
         for pair, value in given.items():
             if not isinstance(pair, tuple) or len(pair) != 2 or pair[0] == pair[1]:
-                arrays.refuse("no pair of two phases", where, repr(pair), "keys (one, other)")
+                arrays.refuse("not a pair of two phases", where, repr(pair), "keys (one, other)")
             key = tuple(sorted(arrays.phase(phase, where) for phase in pair))
             if key in values:
                 arrays.refuse("a pair is named twice", where, repr(pair), "each pair once, in either order")
@@ -164,12 +164,12 @@ def _by_pair(given, where):
 def _warn_of_spreading(tensions):
     least = min(tensions.values(), default=0)
     for (one, other), value in tensions.items():
-        if value <= 2 * least:  # no two others are smaller together
+        if value <= 2 * least:  # no two others can add up to less
             continue
         for third in {phase for pair in tensions for phase in pair} - {one, other}:
             sides = [tensions.get(tuple(sorted((phase, third)))) for phase in (one, other)]
             if None not in sides and value > sum(sides):
-                warnings.warn(f"phases {one}, {other} and {third} balance at no junction: the tension of "
-                              f"({one}, {other}) is {value:g}, more than {sides[0]:g} and {sides[1]:g} of the "
-                              f"pairs with {third} together, which spreads between them", stacklevel=3)
+                warnings.warn(f"no junction of phases {one}, {other} and {third} is in balance: the tension of "
+                              f"({one}, {other}) is {value:g}, more than the sum of {sides[0]:g} and {sides[1]:g} of "
+                              f"the pairs with {third}, which spreads between them", stacklevel=3)
                 return

@@ -6,36 +6,36 @@ SIDES = ("left", "right", "bottom", "top")
 
 
 class Fluid(_dsc.Fluid):
-    """Incompressible flow of two and more phases, which moves the interface of a simulation.
+    """Incompressible flow of two or more phases, which moves the interface of a simulation.
 
     Parameters
     ----------
     sim : Simulation
     phases : dict
-        `{phase: (density, viscosity)}`, for each phase; None in their place: a void, with a free
-        surface around it.
+        `{phase: (density, viscosity)}`, for each phase; `{phase: None}` is a void, beside which the
+        fluids have a free surface.
     tensions : dict
-        `{(one, other): tension}`, for each pair that meets, or `(tension, angle)`: in degrees,
-        between the interface and a wall that slips, inside `other`.
+        `{(one, other): tension}`, for each pair that meets, or `(tension, angle)` with the contact
+        angle in degrees between the interface and a slip wall, inside `other`.
     gravity : (2,) array_like
     slip : set of {'left', 'right', 'bottom', 'top'}, or one of them
-        The sides of the domain along which the fluid slides; it rests at the others.
+        The sides of the domain with slip; the others are no-slip walls.
     inertia : bool
-        Whether it has any: else the equations are those of Stokes.
+        Whether the fluid has inertia; otherwise the Stokes equations are solved.
     tolerance : float
-        Error per step, as a share of the edge length, from which the steps are chosen; 0: those
-        asked for.
+        Target error per step, as a fraction of the edge length, which determines the steps; 0: steps
+        of dt.
     threads : int
-        Any number gives the same bits.
+        Does not change the results.
     """
 
     def __init__(self, sim, phases, tensions, *, gravity=(0, 0), slip=(), inertia=True, tolerance=0,
                  threads=1):
-        """At rest, at time 0; without inertia at the velocity that the interface gives."""
+        """Starts at rest at time 0; without inertia, with the velocity that follows from the interface."""
         slip = (slip,) if isinstance(slip, str) else slip
         for side in slip:
             if side not in SIDES:
-                arrays.refuse("no side of the domain", "slip", repr(side), ", ".join(SIDES))
+                arrays.refuse("not a side of the domain", "slip", repr(side), ", ".join(SIDES))
         properties = [(phase, *((1, 1) if one is None else one), one is None)
                       for phase, one in phases.items()]
         pairs = [(*pair, *(one if isinstance(one, (tuple, list)) else (one, None)))
@@ -45,7 +45,7 @@ class Fluid(_dsc.Fluid):
         self._sim = sim
 
     def step(self, dt):
-        """Moves on by dt, with a tolerance in as many steps as it takes.
+        """Advances by dt; with a tolerance, in as many steps as needed.
 
         Parameters
         ----------
@@ -54,7 +54,7 @@ class Fluid(_dsc.Fluid):
         Returns
         -------
         Report
-            Of all of these steps.
+            The sums over these steps.
         """
         self._sim._step(self, self.time, dt)
         return self._sim.report

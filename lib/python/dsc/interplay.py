@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A mesh in the forms of other packages, which are imported where they are asked for."""
+"""Conversions of meshes to and from other packages, which are imported on first use."""
 import numpy as np
 
 from . import arrays
@@ -7,7 +7,7 @@ from .measures import area
 
 
 def _encloses(loop, point):
-    """Whether the point lies inside the loop: an odd number of its edges lie to the right."""
+    """Whether the point lies inside the loop: whether an odd number of edges lie to its right."""
     a, b = loop, np.roll(loop, -1, axis=0)
     straddles = (a[:, 1] > point[1]) != (b[:, 1] > point[1])
     a, b = a[straddles], b[straddles]
@@ -31,7 +31,7 @@ def polygons(mesh, phase):
     loops = mesh.outlines(phase)
     outer = [[loop] for loop in loops if area(loop) > 0]
     for hole in (loop for loop in loops if area(loop) < 0):
-        middle = (hole[0] + hole[1]) / 2  # of an edge: a vertex may be one of the outline as well
+        middle = (hole[0] + hole[1]) / 2  # of an edge: a vertex may also be one of the outline
         around = [one for one in outer if _encloses(one[0], middle)]
         min(around, key=lambda one: area(one[0])).append(hole)
     return outer
@@ -65,16 +65,16 @@ def to_meshio(mesh):
 
 
 def from_meshio(mesh, phases=None):
-    """The `Mesh` of the triangles of a `meshio.Mesh`, or of what has its `points`, `cells` and `cell_data`.
+    """The `Mesh` of the triangles of a `meshio.Mesh`, or of an object with `points`, `cells` and `cell_data`.
 
     Parameters
     ----------
     mesh : meshio.Mesh
-        Other cells than triangles are left out if they have no area, and refused otherwise. Points
-        may have a third coordinate, if it is the same for all of them.
+        Cells without area are ignored; other cells must be triangles. Points may have a third
+        coordinate if it is constant.
     phases : str, optional
-        The cell data with the phases. Without it, the first of `phase`, `gmsh:physical`, `medit:ref` and
-        `gmsh:geometrical` that there is; if there is none, all triangles are of phase 1.
+        The name of the cell data with the phases. By default the first existing one of `phase`,
+        `gmsh:physical`, `medit:ref` and `gmsh:geometrical`; without any, all triangles have phase 1.
     """
     from .mesh import Mesh
 
@@ -91,8 +91,8 @@ def from_meshio(mesh, phases=None):
             triangles.append(np.asarray(cells).reshape(-1, 3))
             numbers.append(np.ones(len(cells), int) if phases is None else data[phases][k])
         elif kind != "vertex" and not kind.startswith("line"):
-            arrays.refuse("cells that are no triangles", f"cells[{k}]", f"{len(cells)} of type {kind!r}",
-                          "triangles; what has no area is left out")
+            arrays.refuse("cells that are not triangles", f"cells[{k}]", f"{len(cells)} of type {kind!r}",
+                          "triangles; cells without area are ignored")
     if not triangles:
         arrays.refuse("no triangles", "from_meshio", f"{len(mesh.cells)} blocks of other cells", "at least one triangle")
     if any(np.ma.is_masked(one) for one in numbers):

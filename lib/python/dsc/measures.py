@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Measures of outlines, such as those of `Mesh.outlines`, and of the grains of a mesh.
 
-Outlines are given as one, (n, 2), or as a list of them.
+Outlines are one array (n, 2) or a list of such arrays.
 """
 import numpy as np
 
@@ -10,12 +10,12 @@ from .arrays import outlines as _outlines, point
 
 
 def symmetric_difference(first, second):
-    """The area that belongs to one of two regions alone, exact up to rounding.
+    """The area that lies in only one of two regions, exact up to rounding.
 
     Parameters
     ----------
     first, second : (n, 2) array_like, or a list of them
-        Outlines, such as `mesh.outlines(1)`; a point is inside if an odd number of them is around it.
+        Outlines, such as `mesh.outlines(1)`; a point is inside if it is inside an odd number of them.
 
     Returns
     -------
@@ -76,7 +76,7 @@ def circle(centre, radius, edge_length):
 
 
 def grains(mesh):
-    """What is told of the grains of a microstructure: each phase is a grain.
+    """Figures of the grains of a microstructure, in which each phase is a grain.
 
     Parameters
     ----------
@@ -85,11 +85,11 @@ def grains(mesh):
     Returns
     -------
     dict of (n,) arrays
-        By rising `phase`: `area`; `perimeter`, without what lies on the domain boundary; `radius`, of a
-        disc of this area; `neighbours`, how many phases it shares edges with; `sides`, its curves
-        between junctions or ends at the domain boundary, and at least one for each neighbour that is
-        around it or within; `at_boundary`, whether it touches the domain boundary. `pandas.DataFrame`
-        takes it.
+        By ascending `phase`: `area`; `perimeter`, without edges on the domain boundary; `radius` of a
+        disc of this area; `neighbours`, the number of phases with a common edge; `sides`, the number
+        of its curves between junctions or ends at the domain boundary, and of closed curves around it
+        or inside it (one for each neighbour); `at_boundary`, whether it touches the domain boundary.
+        `pandas.DataFrame` accepts this dict.
 
     Examples
     --------
@@ -98,7 +98,7 @@ def grains(mesh):
     """
     phases, grain = np.unique(mesh.phases, return_inverse=True)
     n, outside = len(phases), -1
-    # Directed edges with their grain on the left, each beside the same edge of the triangle across.
+    # Directed edges with their grain on the left, and the grain across each edge.
     tails, heads = mesh.triangles.T.ravel(), np.roll(mesh.triangles, -1, axis=1).T.ravel()
     order = np.lexsort((tails > heads, np.maximum(tails, heads), np.minimum(tails, heads)))
     tails, heads, left = tails[order], heads[order], np.tile(grain, 3)[order]
@@ -109,13 +109,13 @@ def grains(mesh):
     edges = np.flatnonzero(left != right)
     tails, heads, left, right = tails[edges], heads[edges], left[edges], right[edges]
     inside = right != outside
-    # A side begins where an edge of a pair of grains has its tail and none of the same pair its head.
+    # A side begins at a vertex where an edge of a pair of grains starts and no edge of the same pair ends.
     ends = np.r_[np.c_[left, right, heads], np.c_[left, right, tails]][np.r_[inside, inside]]
     places, number = np.unique(ends, axis=0, return_inverse=True)
     in_and_out = np.bincount(number, np.repeat([-1, 1], len(ends) // 2), len(places))
     begun = places[in_and_out > 0, :2]
     pairs = np.unique(np.c_[left, right][inside], axis=0)
-    # A pair that meets in closed curves alone has one side.
+    # A pair that meets only in closed curves has one side.
     first = np.unique(np.r_[begun, pairs], axis=0, return_index=True)[1]
     sides = np.bincount(np.r_[begun, pairs[first[first >= len(begun)] - len(begun)]][:, 0], minlength=n)
     neighbours = np.bincount(pairs[:, 0], minlength=n)

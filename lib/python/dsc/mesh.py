@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes: what the compiled part has of them, and what people expect of an object in Python."""
+"""Meshes: the compiled part, with the methods expected of a Python object."""
 import pathlib
 import tempfile
 
@@ -12,36 +12,36 @@ from .state import sealed, unsealed
 class Mesh(_dsc.Mesh):
     """A triangle mesh whose triangles have phases: a 2D simplicial complex.
 
-    Made by `initial_complex`, changed by the steps of a `Simulation`. Points, triangles and phases
-    have no gaps, are C-contiguous and not writable; those of before a step stay as they were.
+    Made by `initial_complex`, changed by the steps of a `Simulation`. The arrays of points, triangles
+    and phases have no gaps, are C-contiguous and read-only; a step does not change arrays taken before it.
 
     Parameters
     ----------
     points : (n, 2) array_like
     triangles : (m, 3) array_like of int
-        Rows of `points`, either way round. An edge has at most two triangles.
+        Rows of `points`, in either orientation. An edge has at most two triangles.
     phases : (m,) array_like of int
     """
 
     def __init__(self, points, triangles, phases):
-        """From arrays; `initial_complex` makes a mesh of shapes."""
+        """Makes a mesh from arrays; `initial_complex` makes one from shapes."""
         triangles = arrays.whole_numbers(triangles, "triangles", "(m, 3)", 2)
         phases = arrays.whole_numbers(phases, "phases", "(m,)", 1)
         if triangles.shape != (len(phases), 3):
-            arrays.refuse("arrays that do not fit", "Mesh",
+            arrays.refuse("arrays whose shapes do not match", "Mesh",
                           f"triangles of the shape {triangles.shape} and {len(phases)} phases",
                           "triangles (m, 3) and phases (m,)")
         super().__init__(arrays.flat_points(points, "points"), triangles, phases)
 
     @classmethod
     def _made_of(cls, *parts):
-        """By another constructor of the compiled part."""
+        """Makes a mesh by another constructor of the compiled part."""
         mesh = cls.__new__(cls)
         _dsc.Mesh.__init__(mesh, *parts)
         return mesh
 
     def copy(self):
-        """A mesh of its own."""
+        """An independent copy."""
         return self._made_of(self)
 
     __copy__ = copy
@@ -60,7 +60,7 @@ class Mesh(_dsc.Mesh):
                 f"{f'{len(self.areas)} ' if '…' in phases else ''}phases {', '.join(phases)}>")
 
     def _repr_svg_(self):
-        """What a notebook shows."""
+        """The representation in a notebook."""
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "mesh.svg"
             self.write_svg(path)
@@ -68,22 +68,22 @@ class Mesh(_dsc.Mesh):
 
     @property
     def vertex_data(self):
-        """Of vertices: a `Data`."""
+        """The data of vertices: a `Data`."""
         return Data(self, "vertex")
 
     @property
     def triangle_data(self):
-        """Of triangles: a `Data`."""
+        """The data of triangles: a `Data`."""
         return Data(self, "triangle")
 
     @property
     def areas(self):
-        """The area of each phase that occurs: a dict."""
+        """The area of each phase in the mesh: a dict."""
         return {phase: one["area"] for phase, one in self.figures["phases"].items()}
 
     @property
     def input_report(self):
-        """What `initial_complex` left out because the mesh is too coarse for it: an `InputReport`."""
+        """The detail that `initial_complex` left out because it is too fine for the mesh: an `InputReport`."""
         return InputReport(*self._input_report())
 
     def interface_curves(self):
@@ -97,7 +97,7 @@ class Mesh(_dsc.Mesh):
         ----------
         phase : int
         samples : int
-            Points to an edge, on the cubic through its neighbours; 1: the vertices alone.
+            Points for each edge, on the cubic through its neighbours; 1: only the vertices.
 
         Returns
         -------
@@ -136,7 +136,7 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
                       "two: the lower left corner and the upper right one")
     pieces = arrays.shapes(shapes)
     if pieces and curves is not None:
-        arrays.refuse("shapes and curves", "initial_complex", "both", "either")
+        arrays.refuse("both shapes and curves are given", "initial_complex", "both", "either")
     if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
     return Mesh._made_of(corners, pieces, options)
@@ -151,7 +151,7 @@ def from_labels(array, domain=None, min_pixels=0, **options):
     return Mesh._made_of(corners, labels, arrays.count(min_pixels, "min_pixels"), options)
 
 
-from_labels.__doc__ = f"""The mesh of an image whose pixels are numbers of phases.
+from_labels.__doc__ = f"""Makes the mesh of an image whose pixels are numbers of phases.
 
 Boundaries between pixels of different phases become smooth curves that meet at junctions. They lie
 within half a pixel of the sides of the pixels, and each grain keeps the area of its pixels.
@@ -159,13 +159,13 @@ within half a pixel of the sides of the pixels, and each grain keeps the area of
 Parameters
 ----------
 array : (rows, columns) array_like of int
-    The first row is the uppermost, as pictures are shown; `array[::-1]` where it is the lowest.
+    The first row is the uppermost, as in pictures; if it is the lowest, give `array[::-1]`.
 domain : array_like (2, 2), optional
-    The lower left corner of the rectangle over which the image is spread, and the upper right one.
-    Without it, pixels are squares of side 1.
+    The lower left and the upper right corner of the rectangle that the image covers.
+    By default pixels are squares of side 1.
 min_pixels : int
-    Grains of fewer pixels go to the neighbour with which they share the longest border, as do those
-    that are smaller than 0.2 edge lengths. `mesh.input_report` counts them as dropped.
+    Grains of fewer pixels, and those smaller than 0.2 edge lengths, go to the neighbour with the longest
+    common border. `mesh.input_report` counts them as dropped.
 **options
     The following ones.
 {_dsc.size_help}
@@ -175,20 +175,20 @@ Mesh
 """
 
 
-initial_complex.__doc__ = f"""The mesh that a simulation starts from.
+initial_complex.__doc__ = f"""Makes the first mesh of a simulation.
 
 Parameters
 ----------
 domain : array_like (2, 2)
-    The lower left corner of a rectangle, and the upper right one.
-shapes : dict, or what has a __geo_interface__; optional
-    For each phase a polygon (n, 2), or a list of polygons, or what has a `__geo_interface__`, such as
-    the polygons of shapely and the columns of geopandas. A frame of geopandas or a FeatureCollection
-    in place of the dict: each of its features is a phase, by its property `phase`, or from 1 on.
+    The lower left and the upper right corner of a rectangle.
+shapes : dict, or an object with a __geo_interface__; optional
+    For each phase a polygon (n, 2), a list of polygons, or an object with a `__geo_interface__`, such as
+    polygons of shapely and columns of geopandas. Instead of the dict, a frame of geopandas or a
+    FeatureCollection: each of its features is a phase, by its property `phase`, or numbered from 1 on.
     Polygons may be closed or open, run either way, share borders and reach beyond the domain. The
-    innermost polygon counts; one in another of the same phase is a hole; outside of all the phase is 0.
+    innermost polygon counts; a polygon inside another one of the same phase is a hole; the rest is phase 0.
 curves : sequence of (points, left, right), optional
-    In place of shapes: curves from junction to junction with the phases on both sides.
+    Instead of shapes: curves from junction to junction with the phases on both sides.
 **options
     The following ones.
 {_dsc.size_help}

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What the compiled part tells: plain records, which can be kept, compared and pickled.
-
-The types of their fields are in the stub: an import of `typing` would take as long as all others.
+"""Reports of the compiled part as plain records, which can be stored, compared and pickled.
+The types of their fields are in the stub: importing `typing` would take as long as everything else.
 """
 from collections import namedtuple
 
@@ -18,7 +17,7 @@ class Curve(namedtuple("Curve", "points is_closed left right")):
     is_closed : bool
         Whether the last point is joined to the first.
     left, right : int
-        The phases on both sides of the way along it; 0 beyond the sides of the domain.
+        The phases on both sides in the direction of the curve; 0 outside the domain.
     """
 
     __slots__ = ()
@@ -26,26 +25,26 @@ class Curve(namedtuple("Curve", "points is_closed left right")):
 
 class InputReport(namedtuple("InputReport", "points thinned deviation area_changed dropped area_dropped "
                              "clipped")):
-    """What was left out of shapes or curves because the mesh is too coarse for it.
+    """The detail of shapes or curves that was left out because it is too fine for the mesh.
 
     Attributes
     ----------
     points : int
-        How many there were.
+        The number of points given.
     thinned : int
         Points left out of the interface.
     deviation : float
-        The largest distance of these from the interface.
+        The largest distance of the points left out from the interface.
     area_changed : float
-        By leaving them out: the sum over all curves of the net change.
+        The change of area by the points left out: the sum of the net changes of all curves.
     dropped : int
-        Shapes that are too small.
+        Shapes left out because they are too small.
     area_dropped : float
-        Of these shapes.
+        The area of these shapes.
     clipped : int
         Outlines and holes that were cut at the sides of the domain.
 
-    As a text, it has a sentence for each thing that was left out.
+    `str` gives a sentence for each kind of detail that was left out.
     """
 
     __slots__ = ()
@@ -60,43 +59,44 @@ class Event(namedtuple("Event", "kind time place lost taken area")):
     Attributes
     ----------
     kind : {'merge', 'split', 'meet', 'widen', 't1', 'fill', 'remove'}
-        A film of one phase opened between two pieces of another one, a neck closed, two phases
-        border on each other now, an earlier film opened farther, a vertex of too many sectors came
-        apart, a piece of phase 0 vanished, a piece of another phase did.
+        'merge': a film of one phase opened between two pieces of another one; 'split': a neck closed;
+        'meet': two phases have a common border now; 'widen': an earlier film opened farther;
+        't1': an unstable junction was split; 'fill': a piece of phase 0 vanished;
+        'remove': a piece of another phase vanished (T2).
     time : float
-        At the end of the sub-step.
+        The end of the sub-step.
     place : (float, float)
     lost : int
-        The phase whose area it was.
+        The phase that lost the area.
     taken : (int, int)
-        The phases that took the area.
+        The phases that gained the area.
     area : float
-        That changed hands.
+        The area that changed its phase.
     """
 
     __slots__ = ()
 
 
 class Report(namedtuple("Report", "unreached held sub_steps interface_vertices reached gave_up events reason")):
-    """What one step did.
+    """The report of a step.
 
     Attributes
     ----------
     unreached : int
         Vertices that did not arrive, summed over sub-steps.
     held : int
-        Of these: held because of a velocity that was not finite.
+        Of these, the vertices whose velocity was not finite.
     sub_steps : int
-        How many the step was cut into.
+        The number of sub-steps.
     interface_vertices : int
         At the end of the step.
     reached : float
-        The time at the end: earlier than asked for if the step gave up.
+        The time at the end; earlier than `time + dt` if the step gave up.
     gave_up : str
-        Empty if the step was done as a whole; else `too_many_sub_steps` (of the velocity),
-        `too_many_passes` (of a sub-step), `velocity_jumps` (`adaptive`) or `interrupted`.
+        Empty if the step was completed; else `too_many_sub_steps` (the velocity is too large),
+        `too_many_passes` (in a sub-step), `velocity_jumps` (with `adaptive`) or `interrupted`.
     events : list of Event
-        Changes of topology, in their order.
+        The changes of topology, in their order.
     reason : str
         Why the step gave up and what may help, as a sentence; empty if it did not give up.
     """
@@ -105,11 +105,11 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
 
 
 class Interface:
-    """The interface at one stage of the integrator, for a function that `interface_flow` takes.
+    """The interface at one stage of the integrator, for the function of an `interface_flow`.
 
-    Entry i of each array is the same vertex; neighbours are positions in these arrays. Curves run so
-    that the larger of their two phases is on the left. -1 stands for none: at junctions, and for the
-    outside of the domain.
+    Entry i of all arrays belongs to the same vertex; neighbours are indices into these arrays. Curves
+    run with the larger of their two phases on the left. -1 means none: at junctions, and outside the
+    domain.
 
     Attributes
     ----------
@@ -123,13 +123,13 @@ class Interface:
     curvatures : (n,) array
         Positive where the left phase is convex; 0 at junctions.
     lengths : (n,) array
-        Half of the edges of each vertex.
+        Half the length of the two edges of each vertex.
     arms : (k, 4) array of int
-        Edges that leave junctions: rows of junction, neighbour, phase on the left and phase on the
-        right, counter-clockwise about each junction.
+        The edges at junctions: rows of junction, neighbour, phase on the left and phase on the
+        right, counter-clockwise around each junction.
     is_junction, is_feature, is_on_boundary, is_locked : (n,) arrays of bool
-        No point of a single curve; kept, without a tangent; can only slide along the domain
-        boundary; stays.
+        Whether a vertex does not lie on a single curve; is kept and has no tangent; can only slide
+        along the domain boundary; never moves.
     """
 
     def __init__(self, **arrays):

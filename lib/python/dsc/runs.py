@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Several steps on end, and files of them."""
+"""Runs of several steps, and files of their meshes."""
 import os
 import pathlib
 import sys
@@ -17,15 +17,15 @@ def run(sim, flow, dt, steps, *, time=None, after=None, progress=None):
     flow : callable or Flow
         As for `Simulation.step`.
     dt : float
-        Of each step.
+        The length of each step.
     steps : int
     time : float, optional
-        Where to begin; by default where the last step ended.
+        The initial time; by default the end of the last step.
     after : callable, optional
-        Called as `after(sim, report)` after each step; the run ends where it returns False.
+        Called as `after(sim, report)` after each step; the run ends if it returns False.
     progress : callable or bool, optional
-        Called with a line of text after each step: `print`, for one. True: the line stands on standard
-        error, and each takes the place of the one before.
+        Called with a line of text after each step, such as `print`. True: shows the line on standard
+        error, in place of the previous one.
 
     Returns
     -------
@@ -55,12 +55,12 @@ def run(sim, flow, dt, steps, *, time=None, after=None, progress=None):
 
 
 class Series:
-    """Meshes over time as a file `NAME.pvd`, which ParaView plays, beside their files `NAME_00000.vtu`.
+    """Meshes over time as a file `NAME.pvd` for ParaView, beside the meshes `NAME_00000.vtu`, ....
 
     Parameters
     ----------
     path : str or pathlib.Path
-        Of the .pvd file; it is whole after each mesh that is added.
+        The path of the .pvd file, which is complete after each added mesh.
 
     Examples
     --------
@@ -71,11 +71,11 @@ class Series:
     def __init__(self, path):
         self._path = pathlib.Path(path)
         if self._path.suffix != ".pvd":
-            arrays.refuse("no name of a series", "Series", repr(str(path)), "one that ends in .pvd")
+            arrays.refuse("bad name of a series", "Series", repr(str(path)), "a path that ends in .pvd")
         self._entries = []
 
     def add(self, mesh, time):
-        """Writes a mesh and names it in the .pvd file."""
+        """Writes a mesh and adds it to the .pvd file."""
         path = self._path.with_name(f"{self._path.stem}_{len(self._entries):05d}.vtu")
         mesh.write_vtu(path)
         self._entries.append(f'<DataSet timestep="{float(time)!r}" file={quoteattr(path.name)}/>\n')

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Scenes of the catalogue, or of files: `dsc_scene`, whose result is a dictionary.
-
-The program is looked for beside the package: in the build tree, or below the same prefix; the
-environment variable DSC_SCENE names another one.
+"""Runs scenes of the catalogue, or from files, by `dsc_scene`; results are dictionaries.
+The program is searched for in the build tree or the prefix of the package, and on PATH; the
+environment variable DSC_SCENE can name another one.
 """
 import json
 import os
@@ -19,13 +18,13 @@ def program():
     found = os.environ.get("DSC_SCENE") or next(
         (str(place) for place in places if place.exists()), shutil.which("dsc_scene"))
     if found is None:
-        raise FileNotFoundError("dsc_scene: not beside the package, nor on PATH; the environment "
-                                "variable DSC_SCENE may name it")
+        raise FileNotFoundError("dsc_scene: found neither beside the package nor on PATH; name it in the "
+                                "environment variable DSC_SCENE")
     return found
 
 
 def _call(arguments):
-    import subprocess  # with what it brings, a third of the time that the package takes to import
+    import subprocess  # here, because it would take a third of the import time of the package
 
     done = subprocess.run([program(), *arguments], capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):
@@ -53,9 +52,9 @@ def run(scene, *, strategy=None, submeshes=None, threads=None, frames=None, even
     scene : str or path
         A name, or a TOML file.
     strategy, submeshes, threads, frames, events, series, checkpoint
-        As the options of `dsc_scene run`.
+        The options of `dsc_scene run`.
     **settings
-        `h=.005` stands for `--set h=.005`.
+        `h=.005` means `--set h=.005`.
 
     Returns
     -------

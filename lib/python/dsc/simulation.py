@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Simulations: their compiled part, with reports, flows and bytes."""
+"""Simulations: the compiled part, with reports, flows and pickling."""
 from . import _dsc, arrays
 from .flows import Flow
 from .records import Event, Report
@@ -7,27 +7,26 @@ from .state import sealed, unsealed
 
 
 class Simulation(_dsc.Simulation):
-    __doc__ = f"""Moves the interface of a mesh, and keeps the mesh a valid complex around it.
-
-One simulation of a mesh at a time.
+    __doc__ = f"""Moves the interface of a mesh and keeps the mesh a valid complex.
+A mesh has at most one simulation at a time.
 
 Parameters
 ----------
 mesh : Mesh
 flow : Flow, optional
-    A flow that the simulation has to be made for: `growth`.
+    A flow that needs a simulation of its own kind: `growth`.
 **options
     The following ones.
 {_dsc.option_help}"""
 
     def __init__(self, mesh, flow=None, **options):
-        """At time 0. The mesh belongs to the simulation until that is gone."""
+        """Starts at time 0. The mesh belongs to the simulation until the simulation is deleted."""
         super().__init__(mesh, getattr(flow, "_compiled", flow), options)
         self._flow = flow
 
     @property
     def flow(self):
-        """The flow that it was made for, or None."""
+        """The flow given to the constructor, or None."""
         return self._flow
 
     def step(self, flow, time, dt):
@@ -36,10 +35,10 @@ flow : Flow, optional
         Parameters
         ----------
         flow : callable or Flow
-            A function of positions (n, 2) and the time, which returns velocities (n, 2). It is
-            called once in each stage of the integrator, for all vertices of the interface, by the
-            thread that called `step`. What it raises comes out of `step`; the mesh is valid then,
-            and has not arrived yet: `time` and `report` say how far it came.
+            A function of positions (n, 2) and the time, which returns velocities (n, 2). The thread
+            that called `step` calls it once in each stage of the integrator, for all interface
+            vertices. `step` passes on its exceptions; the mesh is then valid but has not reached
+            the end of the step: `time` and `report` say how far it came.
         time, dt : float
 
         Returns
@@ -58,7 +57,7 @@ flow : Flow, optional
 
     @property
     def report(self):
-        """Of the last step, be it one that ended by an exception: a `Report`."""
+        """The `Report` of the last step, also if it ended by an exception."""
         told = self._report()
         events = [Event(**event) for event in told.pop("events")]
         return Report(**told, events=events)
@@ -71,7 +70,7 @@ flow : Flow, optional
 
     def __copy__(self):
         make, (mesh, state) = self.__reduce__()
-        return make(mesh.copy(), state)  # a mesh has one simulation only
+        return make(mesh.copy(), state)  # a mesh has at most one simulation
 
 
 def _simulation_from(mesh, state):

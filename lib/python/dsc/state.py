@@ -1,30 +1,30 @@
 # SPDX-License-Identifier: MIT
-"""Bytes: sealed for pickles, so that a changed byte is noticed, and as checkpoints in files."""
+"""Pickles with a checksum, so that a changed byte is noticed, and checkpoint files."""
 import pickle
 
 from . import _dsc
 
 
 def sealed(*state):
-    """Anything that can be pickled, as bytes."""
+    """The bytes of an object that can be pickled."""
     return _dsc.sealed(pickle.dumps(state))
 
 
 def unsealed(state, name):
-    """The tuple that was sealed. Raises FileError, which begins with the name."""
+    """The tuple that was sealed. Raises FileError; its message begins with the name."""
     return pickle.loads(_dsc.unsealed(state, name))
 
 
 def save(path, thing):
     """Writes a checkpoint: a simulation or a mesh, or anything else that can be pickled.
 
-    A simulation goes on from it to the same bits. The file exists as a whole or not at all.
+    A simulation continues from it bitwise identically. The write is atomic.
 
     Parameters
     ----------
     path : str or path
     thing : Simulation, Mesh or object
-        A tuple of them keeps who belongs to whom.
+        A tuple keeps references between its elements, such as that of a simulation to its mesh.
 
     Raises
     ------
@@ -39,17 +39,17 @@ def load(path):
     Parameters
     ----------
     path : str or path
-        A file that `save` has written. As with any pickle, only open what you trust.
+        A file written by `save`. As with any pickle, load only files that you trust.
 
     Returns
     -------
     object
-        What was saved.
+        The saved object.
 
     Raises
     ------
     FileError
-        Where a byte has changed, or the file is not a whole checkpoint.
+        If a byte has changed, or the file is not a complete checkpoint.
 
     Examples
     --------
