@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Is the working tree slower than a commit? Builds both, runs both in turn, and judges. Nothing is
-# compared with stored seconds.
+# Tests whether the working tree is slower than a commit: builds both, runs both alternately, and compares their times.
+# No stored times are used.
 set -euo pipefail
 
 usage() {
@@ -69,7 +69,7 @@ mkdir -p "$folder"
 # build SOURCE FOLDER
 build() {
     say "building $1"
-    # A warning of this compiler is of no interest here.
+    # DSC_STRICT=OFF: warnings must not stop the build of an old commit.
     (cd -- "$1" && quietly cmake --preset release -B "$2" -D DSC_NATIVE="$native" -D DSC_STRICT=OFF \
         ${CMAKE_CXX_COMPILER_LAUNCHER:+-D CMAKE_CXX_COMPILER_LAUNCHER="$CMAKE_CXX_COMPILER_LAUNCHER"}) &&
         quietly cmake --build "$2" --parallel "$jobs" --target dsc_scene ||

@@ -28,11 +28,11 @@ quick=false
 list_only=false
 suite=
 only=
-# Left out, because they take minutes and say nothing that smaller ones or other scenes do not: the
-# fine swirl, four circles at 2.8 million triangles, there all strategies that do not follow the
-# interface, copies of large meshes in more than one scene, and what options cost.
+# Left out by --quick, because they take minutes and add nothing to smaller ones: the fine swirl, four circles at 2.8
+# million triangles, at this size all strategies that do not follow the interface, copies of large meshes in more than
+# one scene, and the cost of options.
 large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000'
-# The file gets every repetition, the terminal medians and spread.
+# The file gets every repetition; the terminal shows medians and spread.
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
     --benchmark_repetitions=3 --benchmark_min_time=0.05)
 user_options=()
@@ -57,7 +57,7 @@ while [[ $# -gt 0 ]]; do
             ;;
         -h | --help) usage; exit 0 ;;
         --benchmark_out=* | --benchmark_out_format=*)
-            refuse "the report needs the result where it looks for it" "$1" \
+            refuse "the report needs the result in its own folder" "$1" \
                 "another file by build/release/bench/dsc_bench $1"
             ;;
         *)
@@ -81,7 +81,7 @@ fi
 source "$(dirname -- "${BASH_SOURCE[0]}")/../verify/setup.sh"
 
 report=build/release/report
-frames=build/release/frames # large, and of no use once they are drawn
+frames=build/release/frames # large, and not needed after drawing
 bench=build/release/bench/dsc_bench
 precision=build/release/bench/dsc_precision
 hard=build/release/verify/dsc_hard
@@ -90,15 +90,14 @@ scene=build/release/lib/scenes/dsc_scene
 cores=$(env -u OMP_NUM_THREADS nproc)
 if [[ $only == speedup ]]; then
     suite=${suite:-$project_root/bench/suites/speedup.toml}
-    # As many as an interval of 95 % takes, and one more.
+    # One more than a 95 % interval needs.
     bench_options+=("--suite=$suite" --benchmark_repetitions=7)
 else
-    bench_options+=("--benchmark_filter=-$large") # the last one counts, which may be the user's
+    bench_options+=("--benchmark_filter=-$large") # the last filter counts, so the user's overrides this one
 fi
 failed=()
 
-# Prints how many cores were at work in the last second. The load average would still count the
-# build a minute later.
+# Prints how many cores were busy in the last second. The load average would still include the build a minute later.
 busy_cores() {
     local before after
     before=$(head -n 1 /proc/stat)
@@ -110,7 +109,7 @@ busy_cores() {
         END { printf "%.2f", cores * (1 - (idle - idle_before) / (all - all_before)) }'
 }
 
-# Waits until the machine is quiet, for half a minute at most.
+# Waits until the machine is idle, for at most half a minute.
 await_quiet() {
     local busy i
     for ((i = 0; i < 30; ++i)); do
@@ -120,24 +119,23 @@ await_quiet() {
         fi
     done
     say "other programs keep $busy of $cores cores busy"
-    # Threads that spin while they wait cost a step microseconds less on an idle machine, and
-    # milliseconds more where cores are shared.
+    # Spinning threads make a step microseconds faster on an idle machine, and milliseconds slower if cores are shared.
     if awk -v busy="$busy" -v cores="$cores" 'BEGIN { exit !(busy > 0.25 * cores) }'; then
         export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
     fi
 }
 
-# run_benchmarks RESULT. dsc_bench: 0 done, 1 it refused to time a wrong answer (the report says
-# which), 2 bad usage.
+# run_benchmarks RESULT. Exit codes of dsc_bench: 0 done, 1 wrong answers were not timed (the report lists them), 2 bad
+# usage.
 run_benchmarks() {
     local result=$1 code=0
     say "benchmarks"
-    # OMP_PROC_BIND would keep the calling thread on one core, which others may need.
+    # OMP_PROC_BIND would bind the calling thread to one core, which other programs may use.
     env -u OMP_PROC_BIND "$bench" "${bench_options[@]}" \
         --benchmark_out="$result.part" --benchmark_out_format=json \
         "${user_options[@]}" </dev/null || code=$?
     if [[ $code -le 1 ]] && ! "$python" -m json.tool "$result.part" >/dev/null 2>&1; then
-        printf '%s: dsc_bench left no whole JSON in %s.part\n' "$0" "$result" >&2
+        printf '%s: dsc_bench left incomplete JSON in %s.part\n' "$0" "$result" >&2
         code=2
     fi
     if [[ $code -gt 1 ]]; then
@@ -150,7 +148,7 @@ run_benchmarks() {
     fi
 }
 
-# beside COMMAND...: runs it on another core, if there is one; await_beside shows what it printed.
+# beside COMMAND...: runs the command on another core, if there is one; await_beside shows its output.
 beside_words=$report/beside.txt
 beside=
 trap '[[ -z $beside ]] || kill "$beside" 2>/dev/null || true' EXIT
@@ -172,7 +170,7 @@ await_beside() { # await_beside WHAT
     fi
 }
 
-run_scene() { # run_scene NAME SCENE [OPTION...]: NAME is that of the result
+run_scene() { # run_scene NAME SCENE [OPTION...]: NAME is the name of the result
     local name=$1 code=0
     shift
     say "scene $name"
@@ -186,8 +184,8 @@ run_scene() { # run_scene NAME SCENE [OPTION...]: NAME is that of the result
     fi
 }
 
-# All limits, or what verify/run.sh has measured of the same commit; a quick report has what holds for the
-# sequential runs of every scene.
+# Checks all limits, or uses the result of verify/run.sh for the same commit; a quick report checks only sequential runs
+# of all scenes.
 run_gate() {
     local checks=() left=build/release/verify/out/verify.json
     if ! $quick && "$python" - "$left" "$(git describe --always --abbrev=10 --dirty=+)" <<'PYTHON'
@@ -199,12 +197,12 @@ try:
         left = json.load(stream)
 except (OSError, ValueError):
     sys.exit(1)
-# A tree with changes may have others by now.
+# A modified tree may have changed since.
 same = left["commit"] == sys.argv[2] and not left["commit"].endswith("+")
 sys.exit(0 if same and not left["not_run"] and len(left["suites"]) > 1 else 1)
 PYTHON
     then
-        printf 'the gate: as verify/run.sh left it for this commit, in %s\n' "$left"
+        printf 'the gate: result of verify/run.sh for this commit, in %s\n' "$left"
         mkdir -p "$report/gate"
         cp "$left" "$report/gate/verify.json"
         return
@@ -216,7 +214,7 @@ PYTHON
         failed+=("gate")
 }
 
-# What takes longest: the literal method, and a fluid at work, coarse, which the page shows.
+# The longest runs: the literal method, and a film of a coarse fluid for the page.
 run_reference_and_film() {
     local code=0
     timeout --foreground 180 "$scene" run speedup-scaling "${coarse[@]}" --strategy reference \
@@ -261,8 +259,8 @@ run_scenes() {
         run_scene rotation-crescent rotation-crescent
         run_scene translation translation
 
-        # Phases that meet, merge and part. In longer steps the film between the two discs holds up
-        # a vertex before it opens, which counts as unreached.
+        # Phases that merge and split. With longer steps the film between the two discs blocks a vertex before it opens,
+        # which counts as unreached.
         run_scene grow-shrink grow-shrink --set dt=0.002 "${keep_frames[@]}"
         run_scene erode-dumbbell erode-dumbbell "${keep_frames[@]}"
         run_scene t1 t1 "${keep_frames[@]}"
@@ -271,7 +269,7 @@ run_scenes() {
     fi
 }
 
-# Error against time of all methods: two flows at a time, each on a core of its own.
+# Error against time of all methods: two flows at a time, each on its own core.
 run_precision() {
     local first=(single-vortex-8) second=(single-vortex-2 swirl-260 swirl-420 zalesak vortex-square)
     local options=()
@@ -288,7 +286,7 @@ run_precision() {
     await_beside "error against time"
 }
 
-# What happens in the hard cases, for the table.
+# The results of the hard cases, for the table.
 run_hard_cases() {
     say "hard cases"
     "$hard" run --json "$report/hard.json" </dev/null >"$report/hard.txt" ||
@@ -296,7 +294,7 @@ run_hard_cases() {
     tail -n 1 "$report/hard.txt"
 }
 
-# A suite by itself, with its own pictures.
+# A single suite, with its own pictures.
 run_suite() {
     local name form code=0
     name=$report/suites/$(basename -s .toml -- "$suite")
@@ -310,7 +308,7 @@ run_suite() {
     done
 }
 
-# The figures of the thesis, which the page shows as a section.
+# The figures of the thesis, a section of the page.
 run_gallery() {
     say "the thesis's figures"
     "$python" plots/gallery/make.py --scene "$scene" --out "$report/gallery" \
@@ -329,7 +327,7 @@ draw() {
         --verify "${verify[@]}" --frames "$frames" --published reference/published --out "$report"
 }
 
-# A folder without results gives no names, rather than its pattern.
+# A pattern without matching files expands to nothing.
 shopt -s nullglob
 
 coarse=()
@@ -354,7 +352,7 @@ fi
 
 run_all() {
     local code=0
-    # Results of suites that somebody asked for stay.
+    # Results of other suites are kept.
     mkdir -p "$report"
     find "$report" -mindepth 1 -maxdepth 1 ! -name suites -exec rm -rf {} +
     rm -rf "$frames"
@@ -363,7 +361,7 @@ run_all() {
 
     run_benchmarks "$report/bench.json" || code=$?
     if [[ $code -ne 0 ]]; then
-        # Without measurements there is nothing to draw; dsc_bench has said why.
+        # Without measurements there is nothing to draw; dsc_bench has printed the reason.
         exit "$code"
     fi
     run_precision

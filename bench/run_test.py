@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""bench/run.sh refuses what it does not know, before it does anything; and what it builds."""
+"""Bad options of bench/run.sh are refused before anything is done; and the build that it makes."""
 import os
 import pathlib
 import shutil
@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 class Usage(unittest.TestCase):
     def setUp(self):
-        # A copy of the scripts alone: what was not refused would fail to configure here.
+        # A copy of the scripts only: options that are not refused would fail at configuration.
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Many runs of a suite by Snakemake: here, and by the profile for Slurm with a stand-in for it."""
+"""Many runs of a suite by Snakemake: locally, and by the profile for Slurm with a fake sbatch."""
 import json
 import os
 import pathlib
@@ -115,7 +115,7 @@ class BySnakemake(unittest.TestCase):
         jobs = log.read_text(encoding="utf-8").splitlines()
         self.assertEqual(sum("--exclusive" in job for job in jobs), 6)
         self.assertGreaterEqual(len(jobs), 10)
-        time.sleep(0.5)  # the last job's shell ends after its result is there
+        time.sleep(0.5)  # the last job's shell ends after its result has been written
 
 
 if __name__ == "__main__":

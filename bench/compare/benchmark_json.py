@@ -6,15 +6,15 @@ import os
 
 
 def entries(name, times_us):
-    """A repetition for each time."""
+    """One repetition for each time."""
     return [{"name": name, "run_name": name, "run_type": "iteration", "repetitions": len(times_us),
              "repetition_index": i, "threads": 1, "iterations": 1, "real_time": time,
              "cpu_time": time, "time_unit": "us"} for i, time in enumerate(times_us)]
 
 
 def replace(path, data):
-    """Writes JSON. The file exists as a whole or not at all."""
-    part = f"{path}.{os.getpid()}.part"  # not that of another comparison
+    """Writes JSON atomically."""
+    part = f"{path}.{os.getpid()}.part"  # differs from that of other comparisons
     with open(part, "w", encoding="utf-8") as stream:
         json.dump(data, stream, indent=1)
         stream.write("\n")

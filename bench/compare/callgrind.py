@@ -10,11 +10,11 @@ ALLOCATORS = {"malloc", "calloc", "realloc", "aligned_alloc", "posix_memalign", 
 
 
 class NotCounted(Exception):
-    """Why."""
+    """Counting failed; the message says why."""
 
 
 class NotCalled(NotCounted):
-    """The program has not called the functions that were to be counted."""
+    """The program has not called the functions to be counted."""
 
 
 def is_installed():
@@ -22,10 +22,10 @@ def is_installed():
 
 
 def parse(lines):
-    """(instructions, allocations) of a callgrind file. Raises NotCounted if it is cut off or is none.
+    """(instructions, allocations) of a callgrind file. Raises NotCounted if it is incomplete or not such a file.
 
-    Names are written once, as `cfn=(7) malloc`, and from then on as `cfn=(7)`; `calls=3 ...` follows
-    the name of what is called."""
+    Names are written in full once, as `cfn=(7) malloc`, and later as `cfn=(7)`; `calls=3 ...` follows
+    the name of the called function."""
     names = {}
     called = None
     allocations = 0
@@ -46,13 +46,13 @@ def parse(lines):
         elif line.startswith("totals:"):
             total = int(line.split()[1])
     if total is None:
-        raise NotCounted("the counts of callgrind have no total: they are cut off or are none")
+        raise NotCounted("the counts of callgrind have no total: the file is incomplete")
     return total, allocations
 
 
 def count(command, within=None):
-    """(instructions, allocations) of the command, or of the functions alone whose names match the
-    pattern `within`, with what they call. Raises NotCounted."""
+    """(instructions, allocations) of the command, or only of the functions whose names match the
+    pattern `within`, including the functions that they call. Raises NotCounted."""
     only = [f"--toggle-collect={within}"] if within else []
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "callgrind.out")

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 """compare.py --base PROGRAM --new PROGRAM --out DIR: is the new program slower than the base?
 
-Counts the instructions and allocations of fixed runs where valgrind is installed; runs both in pairs, in
-random order, until their times are told apart or alike. judgement.py says by what and why. The programs
-are two builds of dsc_scene, which bench/compare.sh makes before it calls this, or with --bare any two that
-take no arguments. Writes base.json, new.json (all times) and compare.json (what was found). Exit: 0 not
-slower, 1 slower, 2 bad usage or nothing could be measured, 3 undecided. Standard library only."""
+Counts the instructions and allocations of fixed runs if valgrind is installed; runs both programs in pairs,
+in random order, until their times differ significantly or are equal within the limit. judgement.py explains
+the rules. The programs are two builds of dsc_scene, made by bench/compare.sh, or with --bare any two
+programs without arguments. Writes base.json, new.json (all times) and compare.json (the results). Exit: 0
+not slower, 1 slower, 2 bad usage or nothing could be measured, 3 undecided. Standard library only."""
 import argparse
 import functools
 import os
@@ -30,7 +30,7 @@ def told(name, columns, verdict):
 
 
 def judge_counts(programs, selected):
-    """(line, row of compare.json) of each count."""
+    """(line, row of compare.json) for each count."""
     for workload in selected:
         base, new, what = counting.of_both(programs, workload)
         ratio, is_slower = judgement.more_instructions(base, new)
@@ -47,7 +47,7 @@ def judge_counts(programs, selected):
 
 
 def judge_times(found):
-    """The same of each time."""
+    """The same for each time."""
     for workload, pairs in sorted(found.items()):
         for figure, times in sorted(pairs.times.items()):
             ratio = judgement.median_ratio(times)
@@ -65,12 +65,12 @@ def parse_arguments():
     parser.add_argument("--new", required=True)
     parser.add_argument("--out", required=True, help="folder for base.json, new.json and compare.json")
     parser.add_argument("--filter", default="", help="a regular expression for workloads")
-    parser.add_argument("--pairs", type=int, default=300, help="so many at most")
-    parser.add_argument("--minutes", type=float, default=10, help="so long at most, in pairs")
+    parser.add_argument("--pairs", type=int, default=300, help="largest number of pairs")
+    parser.add_argument("--minutes", type=float, default=10, help="largest duration of all pairs")
     parser.add_argument("--no-times", action="store_true")
     parser.add_argument("--no-counts", action="store_true")
     parser.add_argument("--bare", action="store_true",
-                        help="the two are programs of any kind, which are run without arguments")
+                        help="compare any two programs, run without arguments")
     arguments = parser.parse_args()
     try:
         pattern = re.compile(arguments.filter)

@@ -23,9 +23,9 @@ def counts_of(program, workload, within):
 
 
 def of_both(programs, workload):
-    """(base, new, what was counted), at the same time: counts do not mind company. The steps alone, so that
-    neither start nor output dilutes what is more in them, or whole runs, of both, where one of the
-    programs knows no such function. Raises NotCounted."""
+    """(base, new, what was counted). Both run at the same time, which does not affect counts. Only steps are
+    counted, so that start and output do not dilute a difference; if one of the programs has no such
+    function, whole runs of both. Raises NotCounted."""
     def count(within):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             return tuple(pool.map(lambda program: counts_of(program, workload, within), programs))

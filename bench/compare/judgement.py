@@ -1,30 +1,31 @@
 # SPDX-License-Identifier: MIT
-"""When one of two commits counts as slower.
+"""The rules by which a commit counts as slower.
 
-Times. Both programs run in pairs, one right after the other and in an order drawn anew for each pair. The
-figure is the median of the pairs' ratios, new over base. Where neighbours make a machine busy, the load
-changes over seconds and minutes: it meets both of a pair and leaves their ratio, whereas medians or
-quartiles of each program by itself wander with it. One program against itself, in blocks of 20 pairs at a
-load of 7 to 9 on two cores: the median of ratios had a standard deviation of 0.4 to 1.7 %, the ratio of
-medians 1.2 to 6.3 %. The wall time of whole runs had two to three times as much noise, and is left out.
+Times. Both programs run in pairs, one directly after the other, in a random order for each pair. The
+figure is the median of the pairs' ratios, new over base. On a busy machine the load changes over seconds
+and minutes: it affects both runs of a pair but hardly their ratio, whereas medians or quartiles of each
+program alone drift with it. With one program against itself, in blocks of 20 pairs at a load of 7 to 9 on
+two cores, the median of ratios had a standard deviation of 0.4 to 1.7 %, the ratio of medians 1.2 to
+6.3 %. The wall time of whole runs had two to three times as much noise, and is not used.
 
-The interval of that median lies between two order statistics, as in the sign test: with n independent
-ratios, each above their median by the toss of a coin, it takes the k-th from both ends where so few tosses
-have that chance. It needs no shape of the noise. Neither does it need noise without a memory if the programs
-are alike: which of a pair is the new one is drawn by lot, so that the ratio of each pair is above or below 1
-by that lot alone, whatever the machine does. For a program slower by a factor, the same holds around it.
+The interval of that median lies between two order statistics, as in the sign test: each of n independent
+ratios lies above the median with probability 1/2, so the interval is bounded by the k-th ratios from both
+ends, with k from the binomial distribution. This assumes no distribution of the noise. If the programs are
+equally fast, the noise need not be independent either: which run of a pair is the new one is random, so
+each ratio is above or below 1 at random, whatever the machine does. For a program slower by a factor, the
+same holds around this factor.
 
-A slowdown of 5 % is to be caught, and unchanged code must not be taken for slower. So the limit is in the
-middle, 1.025, and pairs are run until the interval is no wider than 5 %: then both truths are half of that
-away from the limit, as far as the interval reaches, and an error has a chance of one in ten thousand. Pairs end early where
-the whole interval is on one side of the limit. Where it stays too wide, nothing is said: undecided.
+A slowdown of 5 % must be detected, and unchanged code must not be called slower. So the limit is in the
+middle, 1.025, and pairs are run until the interval is at most 5 % wide: both ratios, 1 and 1.05, are then
+half an interval away from the limit, and an error has a probability of one in ten thousand. Pairs end
+early if the whole interval is on one side of the limit. If it stays too wide, the result is undecided.
 
-Tried on synthetic times of a busy machine, a jitter of 3 %, a load that wanders by 10 % and bursts of up to
-50 % in a tenth of the runs: of 50 runs of unchanged code no figure was called slower and fewer than one in fifty
-undecided, and a slowdown of 5 % was found in each figure 20 times of 20.
+On synthetic times of a busy machine (a jitter of 3 %, a load that drifts by 10 % and bursts of up to 50 %
+in a tenth of the runs), no figure was called slower in 50 runs of unchanged code, fewer than one in fifty
+was undecided, and a slowdown of 5 % was detected in each figure in 20 of 20 runs.
 
-Instructions and allocations: counts of one run each, which repeat to within a few millionths. What is to be
-caught is 2 % and one allocation a step, and the limits are again in the middle.
+Instructions and allocations are counts of one run each, which repeat to within a few millionths. Increases
+of 2 % and of one allocation per step must be detected; the limits are again in the middle.
 """
 import enum
 import functools
@@ -32,11 +33,11 @@ import math
 import statistics
 from dataclasses import dataclass
 
-SLOWDOWN = 1.05      # in time, that is to be caught
+SLOWDOWN = 1.05      # in time, to be detected
 TIME_LIMIT = 1.025
 INSTRUCTIONS_LIMIT = 1.01
 ALLOCATIONS_LIMIT = 0.5  # more of them in a step
-CONFIDENCE = 0.9999  # many figures are judged at once
+CONFIDENCE = 0.9999  # high, because many figures are judged at once
 FEWEST_PAIRS = 5
 
 
@@ -48,7 +49,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Ratio:
-    """Of new times to those of the base, with its interval."""
+    """The ratio of new times to those of the base, with its interval."""
     value: float
     low: float
     high: float
@@ -69,7 +70,7 @@ class Ratio:
 
 
 def check(pairs):
-    """Raises ValueError for fewer than FEWEST_PAIRS and for times that are none."""
+    """Raises ValueError for fewer than FEWEST_PAIRS pairs and for times that are not positive numbers."""
     if len(pairs) < FEWEST_PAIRS:
         raise ValueError(f"{len(pairs)} pairs; at least {FEWEST_PAIRS} are needed")
     if not all(0 < time < float("inf") for pair in pairs for time in pair):
@@ -78,9 +79,9 @@ def check(pairs):
 
 @functools.lru_cache(maxsize=None)
 def rank_of_bounds(count, confidence=CONFIDENCE):
-    """How many of `count` ratios lie below the interval, and as many above it; None if it would have to
-    be wider than all of them."""
-    allowed = 2 ** count * round((1 - confidence) * 1e9) // (2 * 10 ** 9)  # no float holds 2 ** 1024
+    """The number of the `count` ratios below the interval, which is also that above it; None if the
+    interval would have to be wider than all ratios."""
+    allowed = 2 ** count * round((1 - confidence) * 1e9) // (2 * 10 ** 9)  # 2 ** 1024 is too large for a float
     below, ways = 0, 0
     while below <= count:
         ways += math.comb(count, below)
@@ -92,7 +93,7 @@ def rank_of_bounds(count, confidence=CONFIDENCE):
 
 def median_ratio(pairs, confidence=CONFIDENCE):
     """The median of the ratios of pairs (base, new), by which the new one is judged. Its interval is
-    unbounded where there are too few pairs for any."""
+    unbounded if there are too few pairs."""
     check(pairs)
     ratios = sorted(new / base for base, new in pairs)
     rank = rank_of_bounds(len(ratios), confidence)
@@ -102,19 +103,19 @@ def median_ratio(pairs, confidence=CONFIDENCE):
 
 @dataclass(frozen=True)
 class Counts:
-    """Of one run."""
+    """The counts of one run."""
     instructions: int
     allocations: int
     steps: int
 
 
 def more_instructions(base, new):
-    """The ratio, and whether it is too large."""
+    """The ratio of the counts, and whether it is too large."""
     ratio = new.instructions / base.instructions
     return ratio, ratio > INSTRUCTIONS_LIMIT
 
 
 def more_allocations(base, new):
-    """By how many a step, and whether these are too many."""
+    """The increase per step, and whether it is too large."""
     more = new.allocations / new.steps - base.allocations / base.steps
     return more, more > ALLOCATIONS_LIMIT

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs of two programs in pairs, as many as the judgement needs."""
+"""Runs two programs in pairs, as many as the judgement needs."""
 import json
 import os
 import random
@@ -10,7 +10,7 @@ import time
 
 import judgement
 
-AT_ONCE = 5  # pairs between two looks at what they tell
+AT_ONCE = 5  # pairs between two judgements
 
 
 def environment():
@@ -28,15 +28,16 @@ def timed(command, allowed=(0,)):
 
 
 def run(program, scene):
-    """One run of a scene file's text, or of a program as it is where there is none: microseconds of CPU
-    time as a whole and of a step (mean), of wall time of a step (median), and the number of steps."""
+    """One run of the text of a scene file, or of a program without arguments if there is no text:
+    microseconds of CPU time of the run and of a step (mean), of wall time of a step (median), and the
+    number of steps."""
     if not scene:
         return {"whole run, CPU": timed([program])}, 1
     with tempfile.TemporaryDirectory() as folder:
         path, out = os.path.join(folder, "scene.toml"), os.path.join(folder, "result.json")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(scene)
-        # 1: the run broke an invariant, which another test judges.
+        # 1: the run broke an invariant, which is checked by other tests.
         cpu = timed([program, "run", path, "--json", out], allowed=(0, 1))
         if not os.path.exists(out):
             raise RuntimeError(f"{program} has written no result")
@@ -48,7 +49,7 @@ def run(program, scene):
 
 
 class Pairs:
-    """Of one workload: {figure: [(base, new)]}."""
+    """The times of one workload: {figure: [(base, new)]}."""
 
     def __init__(self):
         self.times = {}
@@ -70,8 +71,8 @@ class Pairs:
 
 def measure(runs, max_pairs, max_seconds, say, source=None):
     """{name: Pairs}. `runs`: {name: (run of base, run of new)}, functions that return {figure: time}. A
-    name is left out of further pairs once all of its figures are decided; others have a pair in turn, in
-    random order, until there are so many or so many seconds have gone."""
+    workload gets no further pairs once all of its figures are decided; the others get pairs in turn, in
+    random order, up to a number of pairs and seconds."""
     source = source or random.Random()
     begin = time.monotonic()
     found = {name: Pairs() for name in runs}
@@ -88,7 +89,7 @@ def measure(runs, max_pairs, max_seconds, say, source=None):
             found[name].add(*times)
         if count % AT_ONCE == 0:
             left = [name for name in left if not found[name].is_decided]
-            say(f"{count} pairs; to go on with: {', '.join(left) or 'none'}")
+            say(f"{count} pairs; still undecided: {', '.join(left) or 'none'}")
             if time.monotonic() - begin > max_seconds:
                 break
     return found

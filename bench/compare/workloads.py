@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The fixed runs that two commits are compared by: sequential ones, for a second thread adds noise
+"""The fixed runs for comparing two commits. They are sequential, because a second thread adds noise
 and no instructions."""
 from dataclasses import dataclass
 
-# The steps of a run, and nothing else of it: what is counted.
+# The function whose instructions are counted: the steps of a run.
 STEP = "dsc::Simulation<double>::step_along*"
 
 
@@ -11,20 +11,20 @@ STEP = "dsc::Simulation<double>::step_along*"
 class Workload:
     name: str
     timed: str    # a scene file
-    counted: str  # one of no more steps: counting makes a run fifty times as long
+    counted: str  # a scene file with fewer steps: counting makes a run fifty times as long
 
 
-BARE = Workload("program", "", "")  # any program, as it is
+BARE = Workload("program", "", "")  # any program without arguments
 
 
 def of_steps(scene, **options):
-    """A scene file whose exact shape is not measured: that would outweigh the steps."""
+    """A scene file without comparison with the exact shape, which would take longer than the steps."""
     lines = [f"{key} = {value}" for key, value in options.items()]
     return "\n".join([f'scene = "{scene}"', "[options]", *lines, "[measure]", "shape = false", ""])
 
 
-# As short as leaves most of the time to the steps. Longer runs are no less noisy beside each other: two
-# of 20 ms differed by as much as two of 100 ms, so five pairs of the former tell more than one of the latter.
+# As short as possible with most of the time spent in steps. Longer runs are not less noisy: two runs of 20 ms differed
+# by as much as two of 100 ms, so five pairs of short runs say more than one pair of long runs.
 ALL = (
     Workload("swirl", of_steps("swirl", h=0.02, steps=60), of_steps("swirl", h=0.04, steps=40)),
     Workload("single-vortex", of_steps("single-vortex", h=0.03, dt=0.07),

@@ -9,7 +9,7 @@ const std::vector<Flow>& precision_flows() {
     // Four edge lengths for every method, and a fifth for a few of them.
     const std::vector<double> powers_and_last{1.0 / 32, 1.0 / 64, 1.0 / 96, 1.0 / 128, 1.0 / 256};
     static const std::vector<Flow> flows{
-        // The greatest speed is 1: a step is one edge length, as for the markers of
+        // The largest speed is 1: a step is one edge length, as for the markers of
         // reference/published/marker_floor.json.
         {.name = "single-vortex-2",
          .title = "single vortex, T = 2",
@@ -39,7 +39,7 @@ const std::vector<Flow>& precision_flows() {
          .there_and_back = true,
          .lengths = {0.04, 0.02, 0.014, 0.01},
          .quick_lengths = 0},
-        // The greatest speed is about 3; 628 steps at h = 0.01, as in the literature.
+        // The largest speed is about 3; 628 steps at h = 0.01, as in the literature.
         {.name = "zalesak",
          .title = "Zalesak's disc, one revolution",
          .scene = "zalesak",

@@ -92,9 +92,9 @@ int run(const Arguments& arguments) {
         cases_of(chosen(precision_flows(), arguments.flows, "--flow"),
                  chosen(precision_methods(), arguments.methods, "--method"), arguments.quick);
     for (const Case& item : cases) {
-        (void)parameters_of(item); // a bad table is found before anything has run
+        (void)parameters_of(item); // finds errors of the tables before the first run
     }
-    std::error_code ignored; // what cannot be written is refused
+    std::error_code ignored; // an unwritable folder is refused below
     fs::create_directories(arguments.out, ignored);
     for (const Case& item : cases) {
         dsc::scenes::check_outputs({{"--out", fs::path(arguments.out) / file_name(item)}});
@@ -115,7 +115,7 @@ int run(const Arguments& arguments) {
         }
         dsc::scenes::write_file(file, result.json.dump(2) + "\n");
         print_result(item, result.json);
-        // If a method other than the default leaves vertices behind, that is a result to be shown.
+        // Unreached vertices of methods other than the default are a result, not a failure.
         const bool fails =
             !result.holds || (result.unreached > 0 && item.method->group == Group::base);
         broken += fails ? 1 : 0;

@@ -19,7 +19,7 @@ std::string to_string(Group group) {
 
 namespace {
 
-// One method for each value of an option other than its default, so that none is forgotten.
+// One method for each non-default value of an option.
 template <class Enum, std::size_t n, class Make>
 void add_others(std::vector<Method>& methods, const EnumTable<Enum, n>& table, Enum standard,
                 Make make) {
@@ -68,7 +68,7 @@ std::vector<Method> make_methods() {
          .to_the_last = true,
          .reads_curves = true},
 
-        // As accurate with a fraction of the vertices, and angles that stay good.
+        // Equally accurate with a fraction of the vertices and with good angles.
         {.name = "fourth order, coarsened",
          .group = Group::other,
          .settings = {{"reading", "cubic"}, {.key = "deviation", .factor = 26844, .power = 4}},

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr double short_run_s = 0.3;
 constexpr int max_repetitions = 3;
 
-// In all, or each way.
+// The number of steps, in total or each way.
 int steps_of(const Case& item) {
     const Flow& flow = *item.flow;
     double dt = flow.step_over_length * item.method->step_factor * item.h;
@@ -30,7 +30,7 @@ int steps_of(const Case& item) {
     }
     const double duration = flow.there_and_back ? flow.duration / 2 : flow.duration;
     const int steps = std::max(1, static_cast<int>(std::lround(duration / dt)));
-    // A step ends at the half of a reversing field.
+    // An even number, so that a step ends when the flow turns back.
     return flow.period > 0 ? steps + steps % 2 : steps;
 }
 
@@ -114,7 +114,8 @@ std::vector<Case> cases_of(const std::vector<const Flow*>& flows,
     std::vector<Case> cases;
     for (const Flow* flow : flows) {
         for (const Method* method : methods) {
-            // The exact shape is a polygon: a curve would be charged with the difference.
+            // Skipped if the exact shape is a polygon: its difference from a curve would count as
+            // an error.
             if ((quick && !method->in_quick) || (method->markers && !flow->smooth) ||
                 (method->reads_curves && flow->polygon_is_exact)) {
                 continue;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""smoke.py DSC_PRECISION: the program itself is tested, its results by what they must
-have in common and never by their times. Standard library only."""
+"""smoke.py DSC_PRECISION: tests the program and the common properties of its results, not
+their times. Standard library only."""
 import json
 import os
 import subprocess
@@ -30,7 +30,7 @@ class Precision(unittest.TestCase):
     def results(self):
         found = {}
         for name in os.listdir(self.out):
-            self.assertTrue(name.endswith(".json"), name)  # nothing half-written stays
+            self.assertTrue(name.endswith(".json"), name)  # no partly written file is left
             with open(os.path.join(self.out, name), encoding="utf-8") as stream:
                 found[name] = json.load(stream)
         return found
@@ -67,8 +67,8 @@ class Precision(unittest.TestCase):
                 self.assertGreater(d["sd_rel_half"], default[d["parameters"]["h"]]["sd_rel_half"])
 
     def test_exact_shapes_are_shared_rightly(self):
-        # With a polygon as the exact shape each size has its own: taken from another size, the
-        # error would be that of the polygon, 1e-3 and not 1e-6.
+        # If the exact shape is a polygon, each size has its own: with that of another size, the
+        # error would be 1e-3 instead of 1e-6.
         done = run("run", "--quick", "--flow", "zalesak", "--method", "default", "--out", self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
         found = self.results()

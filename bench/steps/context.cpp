@@ -21,8 +21,7 @@ namespace dsc::bench {
 
 namespace {
 
-/// Seconds since the machine was started that its cores were at work, all of them together, and
-/// those of this process.
+/// Busy seconds since the start of the machine, summed over its cores, and those of this process.
 struct BusyTime {
     double all = 0;
     double own = 0;
@@ -32,8 +31,8 @@ struct BusyTime {
 BusyTime busy_so_far() {
     BusyTime time;
     time.when = std::chrono::steady_clock::now();
-    // "cpu", then user, nice, system, idle, waiting, interrupts, soft interrupts, and what other
-    // virtual machines took.
+    // "cpu", then user, nice, system, idle, waiting, interrupts, soft interrupts, and time stolen
+    // by other virtual machines.
     std::ifstream stat("/proc/stat");
     std::string cpu;
     stat >> cpu;
@@ -62,7 +61,7 @@ std::vector<std::uint32_t> thread_counts() {
 }
 
 double other_load() {
-    // The kernel counts in hundredths of a second: shorter spans say nothing.
+    // The kernel counts in hundredths of a second: shorter spans are too inaccurate.
     static constexpr auto shortest = std::chrono::milliseconds(300);
     static BusyTime before = [] {
         const BusyTime first = busy_so_far();
@@ -90,7 +89,7 @@ void add_context() {
     benchmark::AddCustomContext("dsc_native", DSC_NATIVE_BUILD);
     benchmark::AddCustomContext("dsc_load", load);
     const auto set_to = [](const char* name, const char* otherwise) {
-        const char* value = std::getenv(name); // NOLINT: nobody here sets variables
+        const char* value = std::getenv(name); // NOLINT: no thread sets variables
         return std::string(value != nullptr ? value : otherwise);
     };
     benchmark::AddCustomContext("dsc_clock", "wall time by a steady clock");

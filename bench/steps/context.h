@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a result must say about its run: machine, commit, compiler, load.
+// The context of a result: machine, commit, compiler, load.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,18 @@
 
 namespace dsc::bench {
 
-/// Cores that this process may use; binding threads to cores does not change it.
+/// The number of cores that this process may use, regardless of bound threads.
 [[nodiscard]] std::uint32_t core_count();
 
 /// 1, 2, 4, ... and the number of cores.
 [[nodiscard]] std::vector<std::uint32_t> thread_counts();
 
-/// Cores that other programs keep busy: since the last call, or of the last span of at least 0.3 s.
-/// Unlike the load average, it has forgotten a build as soon as that has ended. Not thread safe.
+/// The number of cores kept busy by other programs since the last call, or in the last span of at
+/// least 0.3 s. Unlike the load average, it drops as soon as a build has ended. Not thread-safe.
 [[nodiscard]] double other_load();
 
-/// Adds the dsc_* keys to the context of Google Benchmark's reports. Its own "library_build_type"
-/// is that of the installed libbenchmark and says nothing about us.
+/// Adds the dsc_* keys to the context of Google Benchmark's reports. Its own key
+/// "library_build_type" describes the installed libbenchmark, not this program.
 void add_context();
 
 } // namespace dsc::bench

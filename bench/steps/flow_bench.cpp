@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What a velocity costs for one position: the swirl as it is built in, and by formulas as in a
-// scene file, written in two ways. Built-in flow and formula alternate within an iteration, so that
-// whatever disturbs the one disturbs the other; the counter `ratio` is that of their sums.
+// The cost of a velocity for one position: the built-in swirl, and the swirl by formulas of a scene
+// file, written in two ways. Built-in flow and formula alternate within an iteration, so that
+// disturbances affect both; the counter `ratio` is that of their sums.
 #include "refusal.h"
 #include "suites.h"
 
@@ -19,7 +19,7 @@ namespace dsc::bench {
 
 namespace {
 
-/// As many as a front has, evaluated so often that a clock can tell.
+/// The number of interface vertices of a typical scene, evaluated often enough for the clock.
 constexpr std::size_t positions_of_front = 512;
 constexpr int evaluations = 200;
 constexpr double rounding = 4e-15;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// dsc_bench: measures what a suite lists. Exit code 0: done; 1: a benchmark was refused, because
-// its answer is wrong; 2: bad usage, or nothing to run.
+// dsc_bench: makes the measurements of a suite. Exit code 0: done; 1: a benchmark was not timed
+// because its answer is wrong; 2: bad usage, or nothing to run.
 #include "context.h"
 #include "refusal.h"
 #include "suites.h"
@@ -23,7 +23,7 @@ namespace {
 
 void print_help() {
     std::fputs("usage: dsc_bench [--suite FILE] [Google Benchmark options]\n"
-               "  --suite FILE  what is measured, as TOML; without it " DSC_DEFAULT_SUITE "\n"
+               " --suite FILE the suite, as TOML; default: " DSC_DEFAULT_SUITE "\n"
                "A suite of your own, of which plots/speedup.py draws S(n) and U(n):\n"
                "  [[case]]\n"
                "  scene = \"swirl\"             # or the path of a scene file, from the suite on\n"
@@ -38,7 +38,7 @@ void print_help() {
     benchmark::PrintDefaultHelp();
 }
 
-// What Google Benchmark has left of the command line.
+// The suite from the arguments that Google Benchmark has left.
 std::string suite_file(int argc, char** argv) {
     std::optional<std::string> file;
     for (int i = 1; i < argc; ++i) {
@@ -53,7 +53,7 @@ std::string suite_file(int argc, char** argv) {
                                          "--help lists them"});
         }
         if (file || (is_alone && i + 1 == argc)) {
-            throw InputError({.what = "one suite is measured",
+            throw InputError({.what = "exactly one suite is needed",
                               .where = option,
                               .value = file ? "two" : "no file",
                               .allowed = "--suite FILE, once"});
@@ -63,7 +63,7 @@ std::string suite_file(int argc, char** argv) {
     return file.value_or(DSC_DEFAULT_SUITE);
 }
 
-// Of the option that Google Benchmark takes off the command line.
+// The file of Google Benchmark's option --benchmark_out.
 std::vector<scenes::NamedFile> result_file(int argc, char** argv) {
     const std::string option = "--benchmark_out";
     std::vector<scenes::NamedFile> files;
@@ -97,14 +97,13 @@ int run(int argc, char** argv) {
     register_all(suite);
     if (suite.has_results && suite.rows.empty() && suite.comparisons.empty() &&
         suite.also.empty()) {
-        std::fputs(
-            "dsc_bench: nothing of this suite is timed; bench/Snakefile makes its results.\n",
-            stderr);
+        std::fputs("dsc_bench: this suite has no timed rows; bench/Snakefile makes its results.\n",
+                   stderr);
         return 0;
     }
     if (benchmark::RunSpecifiedBenchmarks() == 0) {
-        std::fputs("dsc_bench: --benchmark_filter leaves no benchmark; --benchmark_list_tests "
-                   "names all of them.\n",
+        std::fputs("dsc_bench: no benchmark matches --benchmark_filter; --benchmark_list_tests "
+                   "lists all.\n",
                    stderr);
         return 2;
     }

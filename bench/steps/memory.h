@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The most memory that a part of a run needed, rather than the whole process since its start.
+// The peak memory of a part of a run, rather than of the process since its start.
 #pragma once
 
 namespace dsc::bench {
@@ -9,8 +9,8 @@ namespace dsc::bench {
 class PeakMemory {
 public:
     PeakMemory();
-    /// The most resident memory since then, in 10^6 bytes. If the peak cannot be reset, the larger
-    /// of the resident memory now and at the start. 0 if there is no /proc.
+    /// The peak of resident memory since construction, in 10^6 bytes. If the peak cannot be reset,
+    /// the larger of the resident memory now and at construction. 0 without /proc.
     [[nodiscard]] double mb() const;
 
 private:

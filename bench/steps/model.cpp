@@ -36,7 +36,7 @@ void add(ModelAccount& account, const SubStepProfile& one) {
     }
 }
 
-// Of a tree of threads that wake each other.
+// The depth of a tree of threads that wake each other.
 double levels(std::uint32_t workers) { return std::ceil(std::log2(workers)); }
 
 } // namespace
@@ -48,7 +48,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
     std::vector<bool> taken(n, false);
     std::vector<double> free_at(workers, 0);
     std::vector<double> busy(workers, 0);
-    std::vector<double> late_at(workers, 0); // idle for as long as its tasks took in the mean
+    std::vector<double> late_at(workers, 0); // idle for the mean time of its tasks
     std::vector<int> done(workers, 0);
     std::size_t left = n;
     double last = 0;
@@ -56,7 +56,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
         return std::ranges::all_of(tasks.predecessors(task),
                                    [&](std::uint32_t earlier) { return ended[earlier] <= now; });
     };
-    // As in `Schedule`: the last task of a worker that has begun others.
+    // As in `Schedule`: the last task of a worker that has already started others.
     const auto is_last_one = [&](std::size_t task) {
         bool has_begun = false;
         for (std::size_t other = 0; other < n; ++other) {
@@ -74,7 +74,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
             std::min_element(free_at.begin(), free_at.end()) - free_at.begin());
         const double now = free_at[worker];
         std::size_t next = n;
-        bool has_work = false; // at home, or anywhere
+        bool has_work = false; // its own, or any
         for (std::size_t task = 0; task < n && next == n; ++task) {
             if (!taken[task] && tasks.home_of(task, workers) == worker) {
                 has_work = true;
@@ -97,7 +97,7 @@ double makespan(const Section& section, std::uint32_t workers, Assignment assign
             late_at[worker] = ended[next] + busy[worker] / ++done[worker];
             last = std::max(last, ended[next]);
         } else {
-            // Nothing yet: when the next of the others ends, or is late, or never again.
+            // No work yet: wakes when the next task ends or a worker becomes late, or never.
             double wake = now < late_at[worker] ? late_at[worker] : never;
             for (const double end : ended) {
                 wake = end > now ? std::min(wake, end) : wake;

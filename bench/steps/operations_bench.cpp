@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What one operation costs (thesis, chapter 7), guard included. An iteration applies it to a batch
-// of simplices whose surroundings do not overlap, so that each operation is legal whatever the
-// others do; restoring the complex is not timed. `kernel/...` are whole-mesh functions, per
-// triangle. The time is CPU time: nothing here waits or forks, and other users of the machine
-// disturb it less than wall time.
+// The cost of one operation (thesis, chapter 7), including its guard. An iteration applies it to a
+// batch of simplices whose surroundings do not overlap, so the operations are independent;
+// restoring the complex is not timed. `kernel/...` are functions of the whole mesh, per triangle.
+// The time is CPU time, because nothing here waits or uses threads, and other programs disturb it
+// less than wall time.
 #include "refusal.h"
 #include "suites.h"
 
@@ -39,8 +39,8 @@ namespace dsc::bench {
 namespace {
 
 constexpr int ground_triangles = 28000;
-constexpr const char* label = "CPU time of a batch"; ///< in place of wall time
-constexpr double jitter = 0.2; ///< of the edge length: no two triangles alike, none inverted
+constexpr const char* label = "CPU time of a batch"; ///< instead of wall time
+constexpr double jitter = 0.2; ///< in edge lengths: all triangles differ, none is inverted
 
 bool star_is_positive(const Complex<double>& complex, std::uint32_t v) {
     bool positive = true;
@@ -79,13 +79,13 @@ Complex<double> make_ground() {
     return complex;
 }
 
-/// The complex that all of these start from.
+/// The complex from which all benchmarks start.
 const Complex<double>& ground() {
     static const Complex<double> complex = make_ground();
     return complex;
 }
 
-/// The verdict of an operation, and by how many triangles it says that the complex grew.
+/// The verdict of an operation, and the increase of the number of triangles that it reports.
 struct Done {
     Verdict verdict;
     int triangles;
@@ -157,7 +157,7 @@ struct LaplacianSmoothing {
     static Done apply(Complex<double>& k, Vertex v) { return {laplacian_smoothing(k, v), 0}; }
 };
 
-// Every simplex of the ground, except edges of the domain boundary.
+// Visits every simplex of the ground, except edges of the domain boundary.
 template <class Visit>
 void for_each(const Complex<double>& k, Edge, Visit visit) {
     for (Corner c = 4; c < 4 * k.triangle_bound(); ++c) {
@@ -179,7 +179,7 @@ void for_each(const Complex<double>& k, Vertex, Visit visit) {
     }
 }
 
-/// The simplices to work on, in the order of their numbers, and the mesh that must come out.
+/// The simplices of a batch by ascending id, and the resulting mesh.
 template <class Simplex>
 struct Batch {
     std::vector<Simplex> simplices;
@@ -187,8 +187,8 @@ struct Batch {
 };
 
 /// Chooses simplices where the operation is legal and whose surroundings do not overlap. Throws
-/// InvariantError where the complex is not valid afterwards, or has not grown by what the
-/// operations said.
+/// InvariantError if the complex is not valid afterwards, or its growth differs from that reported
+/// by the operations.
 template <class Operation>
 Batch<typename Operation::Simplex> make_batch() {
     Batch<typename Operation::Simplex> batch;
@@ -253,14 +253,14 @@ void measure_operation(benchmark::State& state) {
     state.counters["batch"] = static_cast<double>(batch.simplices.size());
 }
 
-/// Times `run(copy of the ground)`; `check` looks at what it left and what it returned.
+/// Times `run(copy of the ground)`; `check` checks the complex and the return value.
 template <class Run, class Check>
 void measure_kernel(benchmark::State& state, Run run, Check check) {
     Complex<double> complex = ground();
     for (auto _ : state) {
         complex = ground();
         const scenes::Stopwatch watch;
-        // Constant: GCC may lose the value of a variable that DoNotOptimize may change.
+        // Constant, because GCC may lose the value of a variable passed to DoNotOptimize.
         const auto result = run(complex);
         benchmark::DoNotOptimize(result);
         state.SetIterationTime(watch.cpu());
@@ -273,7 +273,7 @@ void measure_kernel(benchmark::State& state, Run run, Check check) {
     state.SetLabel(label);
 }
 
-// Every star once: three corners a triangle.
+// Gathers every star once: three corners for each triangle.
 std::uint64_t gather_all(const Complex<double>& complex) {
     static Star<double> star;
     std::uint64_t corners = 0;

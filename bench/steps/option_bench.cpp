@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What an option costs in a step: the same scene with and without it, in runs that take turns, so
-// that whatever disturbs the one disturbs the other. The counter `ratio` is that of the sums over
-// all steps of the least time that each took in any run; noise can only add to a time.
+// The cost of an option in a step: the same scene with and without it, in alternating runs, so that
+// disturbances affect both. The counter `ratio` is that of the sums, over all steps, of the
+// shortest time of the step in any run: noise can only make times longer.
 #include "refusal.h"
 #include "step_run.h"
 #include "suites.h"
@@ -27,7 +27,7 @@ using scenes::Parameters;
 constexpr int rounds = 15;
 constexpr int max_steps = 200;
 
-/// One of the two that are compared: its beginning, and what its steps have taken.
+/// One of the two compared runs: its start, and the times of its steps.
 class Side {
 public:
     Side(const scenes::Scene& scene, const Parameters& parameters)
@@ -37,7 +37,7 @@ public:
           topology_(scenes::topology_options<double>(parameters)),
           min_(static_cast<std::size_t>(std::min(setup_.steps, max_steps)), 1e9) {}
 
-    /// A run from the beginning. Throws InvariantError if a vertex does not arrive.
+    /// Makes a run from the start. Throws InvariantError if a vertex does not arrive.
     void run() {
         using Clock = std::chrono::steady_clock;
         Complex<double> complex = complex_;
@@ -59,7 +59,7 @@ public:
         sums_.push_back(sum);
         hash_ = mesh_hash(complex);
     }
-    /// The least seconds of each step, summed.
+    /// The sum of the shortest times of all steps, in seconds.
     [[nodiscard]] double least() const { return std::accumulate(min_.begin(), min_.end(), 0.0); }
     [[nodiscard]] std::size_t steps() const { return min_.size(); }
     /// Seconds of each run.
@@ -100,7 +100,7 @@ void measure(benchmark::State& state, const Comparison& c) {
     state.counters["ratio_high"] = ratios[ratios.size() * 3 / 4];
     state.counters["us_per_step"] = with.least() * 1e6 / steps;
     state.counters["us_per_step_without"] = without.least() * 1e6 / steps;
-    state.SetLabel("least times of " + std::to_string(rounds) + " runs each, in turn");
+    state.SetLabel("shortest times of " + std::to_string(rounds) + " alternating runs each");
 }
 
 } // namespace

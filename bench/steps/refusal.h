@@ -11,13 +11,13 @@
 
 namespace dsc::bench {
 
-/// Ends a benchmark with an error in place of its time.
+/// Ends a benchmark with an error instead of a time.
 void refuse(benchmark::State& state, const std::string& reason);
 
-/// How many were refused so far.
+/// The number of refused benchmarks so far.
 [[nodiscard]] std::size_t refusals();
 
-/// Runs the body; what it throws is a refusal.
+/// Runs the body; an exception is a refusal.
 template <class Body>
 void guarded(benchmark::State& state, Body body) {
     try {
@@ -27,7 +27,7 @@ void guarded(benchmark::State& state, Body body) {
     }
 }
 
-/// A row that measures its own time; what its body throws is a refusal.
+/// A row that measures its own time; an exception of its body is a refusal.
 template <class Body>
 benchmark::internal::Benchmark* add_row(const std::string& name, Body body) {
     return benchmark::RegisterBenchmark(name.c_str(),
@@ -35,7 +35,7 @@ benchmark::internal::Benchmark* add_row(const std::string& name, Body body) {
         ->UseManualTime();
 }
 
-/// The same for a row that does all in one iteration of some milliseconds.
+/// The same for a row with a single iteration of some milliseconds.
 template <class Body>
 void add_long_row(const std::string& name, Body body) {
     add_row(name, body)->Iterations(1)->Unit(benchmark::kMillisecond);

@@ -23,7 +23,7 @@ using scenes::Strategy;
 constexpr double own_area_error = 0.01; ///< unless a case says otherwise
 constexpr int max_submeshes = 65536;
 
-// 0: chosen during the run.
+// The number of submeshes; 0: chosen during the run.
 std::uint32_t submeshes_of(const SuiteCase& c, Strategy strategy, std::uint32_t threads) {
     const CaseReader& reader = *c.reader;
     if (!reader.has("submeshes")) {
@@ -71,7 +71,7 @@ void read_part(const CaseReader& reader, Measure measure, Workload& workload) {
     }
 }
 
-// Everything that a start depends on.
+// A text of all parameters on which a start depends.
 std::string key_of(const Workload& workload, const std::string& scene) {
     std::string key = scene + scenes::text_of(workload.parameters) + '/' +
                       std::to_string(static_cast<int>(workload.part));
@@ -137,7 +137,7 @@ void add_comparison(const SuiteCase& c, const std::string& name, const scenes::S
     suite.comparisons.push_back(std::move(comparison));
 }
 
-// What dsc_scene would refuse, before the first of many runs.
+// Finds errors that dsc_scene would refuse before the first of many runs.
 void check_results(const SuiteCase& c, const Workload& workload) {
     for (const char* key : {"threads", "submeshes"}) {
         if (c.reader->has(key) && c.reader->is_text(key)) {
@@ -162,7 +162,7 @@ scenes::RunOptions Row::options(std::uint32_t on_threads) const {
     options.strategy = strategy;
     options.submeshing.submeshes = submeshes;
     options.submeshing.threads = on_threads;
-    // A run takes as many threads as pay, as that of an application does.
+    // A whole run uses as many threads as pay off, as in an application.
     options.submeshing.always_all_threads = measure != Measure::run;
     return options;
 }

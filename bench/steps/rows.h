@@ -11,11 +11,11 @@
 
 namespace dsc::bench {
 
-/// A [[case]], read as far as its keys do not depend on its scenes.
+/// The keys of a [[case]] that do not depend on its scenes.
 struct SuiteCase {
-    const scenes::CaseReader* reader = nullptr; ///< outlives it
+    const scenes::CaseReader* reader = nullptr; ///< must outlive this
     std::vector<std::string> scenes{};
-    std::vector<std::string> names{}; ///< of the scenes; empty: that of the scene itself
+    std::vector<std::string> names{}; ///< one for each scene; empty: the scene's own name
     Measure measure = Measure::run;
     std::vector<scenes::CaseSize> sizes{};
     std::vector<scenes::Strategy> strategies{};
@@ -24,7 +24,7 @@ struct SuiteCase {
 };
 
 /// Prepares the scenes without making their meshes, and adds their rows or comparisons to the
-/// suite. Throws InputError for keys that do not suit a scene.
+/// suite. Throws InputError for keys that are not allowed for a scene.
 void add_rows(const SuiteCase& c, Suite& suite);
 
 } // namespace dsc::bench

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Whole runs of any scene, as an application makes them: a simulation is constructed, its first
-// step is done, then all the others, with other work of the application between two steps. The
-// counter `us_per_step` is the sum of all steps over their number, without what lies between them;
-// the first run of the process is not timed, so that all runs find their code and memory in use.
+// Whole runs of any scene, as in an application: construction of the simulation and all steps, with
+// other work of the application between two steps. The counter `us_per_step` is the mean time of
+// all steps, without the work between them; the first run of the process is not timed, so that code
+// and memory are warm in all runs.
 #include "context.h"
 #include "refusal.h"
 #include "step_run.h"
@@ -35,7 +35,7 @@ double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-// Other work of the application: the caller's core is busy, the others have nothing to do.
+// Other work of the application: only the caller's core is busy.
 void work_for(int microseconds) {
     const auto begin = Clock::now();
     while (Clock::now() - begin < std::chrono::microseconds(microseconds)) {
@@ -71,7 +71,7 @@ WholeRun run_whole(const Row& row, std::uint32_t threads, int between_us,
     return run;
 }
 
-// On one thread: it is the run that is not timed.
+// The run that is not timed, on one thread.
 Answer run_once(const Row& row) {
     const Start& start = *row.start;
     Answer answer;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""smoke.py DSC_BENCH: the program itself is tested, with the times masked, so that a change of the
-schema is caught and noise is not. Standard library only."""
+"""smoke.py DSC_BENCH: tests the program with times masked, so that changes of the schema are detected
+and noise is not. Standard library only."""
 import json
 import os
 import re
@@ -75,7 +75,7 @@ class Schema(unittest.TestCase):
         cls.rows = [row for row in data["benchmarks"] if row["run_type"] == "iteration"]
 
     def family(self, name):
-        """Of what was measured."""
+        """The measured rows of a family."""
         rows = [row for row in self.rows
                 if row["name"].split("/")[0] == name and "/modelled:" not in row["name"]]
         self.assertTrue(rows, f"no row of {name}")
@@ -106,8 +106,7 @@ class Schema(unittest.TestCase):
             self.assertTrue(0 < row["busy_share"] <= 1, row)
             self.assertTrue(row["section_start_us"] >= row["fork_join_us"] > 0, row)
             self.assertTrue(row["bandwidth_of_one_gb_s"] > 0 < row["bandwidth_of_all_gb_s"], row)
-            # What follows holds for any times, for that is how they are added up: two threads
-            # cannot take less than half of the tasks, nor more than all of them.
+            # This holds for any times: two threads need at least half of the time of all tasks, and at most all of it.
             parallel = row["us_per_step"] - row["us_serial"] - row["us_starts"]
             self.assertGreaterEqual(parallel * (1 + ROUNDING), row["us_tasks"] / 2)
             self.assertLessEqual(parallel, row["us_tasks"] * (1 + ROUNDING))
@@ -203,7 +202,7 @@ BAD_SUITES = {
     '[[case]]\nscene = "zalesak"\nmeasure = "step"\nat = "half"\n': ("zalesak", "a time"),
     '[[case]]\nscene = "swirl"\nmeasure = "option"\n': ("option = {",),
     '[[case]]\nscene = "grow-shrink"\nmeasure = "step"\n': ("suite.toml:2", "growth", "velocity"),
-    '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows of one name", "swirl_run/"),
+    '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows have the same name", "swirl_run/"),
     '[[case]]\nscene = "swirl"\nrows = [{ threads = 0 }]\n': ("suite.toml:3", "got 0"),
     'also = ["operations"]\n': ("suite.toml:1: also", "operation, kernel"),
 }

@@ -21,11 +21,11 @@ std::map<std::string, std::shared_ptr<Start>>& starts() {
     return all;
 }
 
-// How far the area of a polygon with edges of up to 1.4 h on a circle of radius r may be from the
-// circle's, relative: (1.4 h)^2 / (6 r^2) for the chords, and a collapse may move the curve by
-// 0.02 h (InterfaceThresholds), which is 2 * 0.02 h / r if all of them did so.
+// The largest relative difference of area between a circle of radius r and a polygon with edges of
+// up to 1.4 h: (1.4 h)^2 / (6 r^2) for the chords, plus 2 * 0.02 h / r if all collapses move the
+// curve by 0.02 h (InterfaceThresholds).
 double area_limit_of_round(const scenes::Setup& setup, double h) {
-    double radius = 0; // of the smallest shape at the start
+    double radius = 0; // of the smallest first shape
     for (const auto& outline : setup.outlines) {
         const double r = std::sqrt(scenes::signed_area(outline) / std::numbers::pi);
         radius = radius == 0 ? r : std::min(radius, r);
@@ -42,17 +42,17 @@ void check_usable(const Workload& workload, const scenes::Setup& setup, const st
                                     : setup.growth  ? "growth"
                                     : setup.fluid   ? "a fluid"
                                                     : "a value at its vertices"),
-                          .allowed = "scenes that move by a velocity alone; or measure = \"run\""});
+                          .allowed = "scenes that move only by a velocity; or measure = \"run\""});
     }
     if (workload.parameters.real != scenes::RealType::double_precision) {
-        throw InputError({.what = "measurements are in double precision",
+        throw InputError({.what = "only double precision can be measured",
                           .where = where,
                           .value = "real = 'float'",
                           .allowed = "double"});
     }
 }
 
-// The step before the warm-up.
+// The number of steps before the warm-up.
 int first_step(const Workload& workload, const scenes::Setup& setup, const std::string& where) {
     if (workload.part == Part::whole) {
         return 0;
@@ -87,7 +87,7 @@ std::shared_ptr<Start> plan(const Workload& workload, const std::string& where) 
     const int last = start->step + measured_steps;
     if (workload.part == Part::around && start->setup.steps < last &&
         !scene.counts_steps_each_way) {
-        parameters.steps = last; // the scene goes on for longer
+        parameters.steps = last; // extends the scene
         start->setup = scene.prepare(parameters);
     }
     if (workload.part != Part::whole && start->setup.steps < last) {
@@ -132,7 +132,7 @@ void make_ready(Start& start) {
     for (int step = 0; step < start.step; ++step) {
         const StepReport report = advance(*simulation, start.setup, step);
         if (report.unreached > 0 || report.gave_up != GiveUp::none) {
-            throw InvariantError("a vertex did not arrive on the way to the start, in step " +
+            throw InvariantError("a vertex did not arrive before the measurement, in step " +
                                  std::to_string(step));
         }
     }

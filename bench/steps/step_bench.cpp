@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A time step (thesis, section 9.7), by every strategy from the same complex. An iteration is as
-// many steps as `timed_steps`; the counter `us_per_step` is the time of one. S(n) is the ratio of
-// the row `strategy:sequential` to the row with `threads:n`, of the same family and size.
+// A time step (thesis, section 9.7), by every strategy from the same complex. An iteration has
+// `timed_steps` steps; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
+// `strategy:sequential` to the row with `threads:n`, of the same family and size.
 #include "context.h"
 #include "memory.h"
 #include "refusal.h"
@@ -29,7 +29,7 @@ using scenes::Strategy;
 constexpr int reference_steps = 3;
 constexpr double reference_area_limit = 0.01;
 
-// A working copy with some room to grow, as a mesh under way has it.
+// A copy with spare capacity, as in a running simulation.
 Complex<double> copy_with_room(const Complex<double>& complex) {
     Complex<double> copy;
     const auto roomy = [](std::size_t n) { return n + n / 16 + 4096; };
@@ -38,7 +38,8 @@ Complex<double> copy_with_room(const Complex<double>& complex) {
     return copy;
 }
 
-/// The mesh after the steps of a row, on one thread: every measurement must give the same bits.
+/// The mesh after the steps of a row on one thread: the result of every measurement must be bitwise
+/// identical.
 const Answer& answer_of_steps(const Row& row) {
     return answer_of(row, [&row] {
         const Start& start = *row.start;
@@ -49,7 +50,7 @@ const Answer& answer_of_steps(const Row& row) {
     });
 }
 
-/// Times so far of the literal method, for the ratio: empty where it has not run.
+/// The times of the literal method so far, for the ratio; empty if it has not run.
 std::map<const Start*, std::vector<double>>& reference_times() {
     static std::map<const Start*, std::vector<double>> times;
     return times;
@@ -92,10 +93,10 @@ void measure(benchmark::State& state, const Row& row) {
     }
 }
 
-/// The steps of a row on so many threads, with the account of their tasks.
+/// The steps of a row on this number of threads, with the times of their tasks.
 ModelRun account_of(const Row& row, std::uint32_t threads) {
     Complex<double> complex = copy_with_room(row.start->complex);
-    const PeakMemory memory; // gives back what is free: the measured steps begin like that too
+    const PeakMemory memory; // returns free memory to the system, as before the measured steps
     ModelRun run = profile_steps(*row.start, complex, row.options(threads));
     if (mesh_hash(complex) != answer_of_steps(row).hash) {
         throw InvariantError("the mesh is not that of a run without an account of times");
@@ -124,12 +125,12 @@ void measure_model(benchmark::State& state, const Row& row) {
         counters["section_start_us"] = start * 1e6;
         counters["bandwidth_of_one_gb_s"] = bandwidth_of_one * 1e-9;
         counters["bandwidth_of_all_gb_s"] = bandwidth_of_all * 1e-9;
-        // What one worker takes for all of it.
+        // The time of one worker for everything.
         counters["us_serial"] = per_step(times.serial);
         counters["us_tasks"] = per_step(times.tasks);
         counters["us_starts"] = per_step(times.starts);
         counters["load"] = load;
-        // Where the time of a step goes, summed over submeshes.
+        // The parts of the time of a step, summed over submeshes.
         const ModelAccount& total = run.account;
         counters["us_all_tasks"] = per_step(total.tasks);
         counters["us_set_up"] = per_step(total.set_up);
@@ -148,8 +149,9 @@ void measure_model(benchmark::State& state, const Row& row) {
     }
 }
 
-// The literal method needs no warm-up, as it sweeps the whole mesh in each step. It starts where
-// the others have done half of their steps, so that its interface is as long as theirs on average.
+// The literal method needs no warm-up, because it sweeps the whole mesh in each step. It starts in
+// the middle of the timed steps of the others, so that its interface is as long as theirs on
+// average.
 void measure_reference(benchmark::State& state, const Row& row) {
     const Start& start = *row.start;
     const int first = start.step + warm_up_steps + timed_steps / 2;

@@ -35,9 +35,8 @@ namespace dsc::bench {
 
 namespace {
 
-// Cores that have been idle run slowly at first, and a measurement takes a few milliseconds only.
-// So that all rows are measured at the same clock rate, all threads are kept busy for a while
-// before.
+// Idle cores run slowly at first, and a measurement takes only a few milliseconds. All threads are
+// kept busy for a while before, so that all rows are measured at the same clock rate.
 void wake(std::uint32_t threads) {
     constexpr double seconds = 0.03;
     ThreadPool pool;
@@ -57,21 +56,21 @@ void wake(std::uint32_t threads) {
     }
 }
 
-/// NaN where it is not known.
+/// NaN if it is unknown.
 double exact_area(const Start& start, int step) {
     return start.setup.exact ? start.setup.exact(step * start.parameters.dt).area
                              : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Seconds in the passes of a submesh, to which several threads add.
+/// Seconds in the passes of submeshes; several threads add to them.
 struct PassTimes {
     std::atomic<double> remeshing = 0;
     std::atomic<double> movement = 0;
     std::atomic<double> mesh_update = 0;
 };
 
-// The same pass, with its times in submeshes of the first colour added up: these alone list
-// vertices of the interface.
+// Wraps a pass to add up its times in submeshes of the first colour, which are the only ones with
+// lists of interface vertices.
 void time_pass(Pass<double>& pass, std::atomic<double>& seconds) {
     pass.run = [&seconds, run = std::move(pass.run)](Work<double>& work) {
         const bool counts = !work.submesh.region.is_whole() && !work.interface.empty();
@@ -83,7 +82,7 @@ void time_pass(Pass<double>& pass, std::atomic<double>& seconds) {
     };
 }
 
-// `times` must outlive its runs.
+// `times` must outlive the algorithm.
 Algorithm<double> timed_algorithm(PassTimes& times) {
     Algorithm<double> algorithm = default_algorithm<double>();
     time_pass(algorithm.remeshing.at(0), times.remeshing);
@@ -156,13 +155,13 @@ ModelRun profile_steps(const Start& start, Complex<double>& complex,
     const auto choices = scenes::scene_options<double>(start.setup, start.parameters);
     scenes::Submeshing submeshing = options.submeshing;
     submeshing.profile = true;
-    submeshing.always_all_threads = true; // even where fewer are as fast
+    submeshing.always_all_threads = true; // even if fewer are as fast
     PassTimes times;
     const Algorithm<double> algorithm = timed_algorithm(times);
     const Prepared made =
         prepare(start, complex, choices, options.strategy, submeshing, &algorithm);
     if (!submeshes_in(made.executor)) {
-        throw InvariantError("this strategy keeps no account of its tasks");
+        throw InvariantError("this strategy does not measure the times of its tasks");
     }
     ModelRun run;
     int step = start.step;

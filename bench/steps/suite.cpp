@@ -89,7 +89,7 @@ void check_name(const CaseReader& reader, const std::string& name) {
     }
 }
 
-// One for each scene; empty: that of the scene itself.
+// One name for each scene; empty: the scene's own name.
 std::vector<std::string> read_names(const CaseReader& reader, std::size_t scenes) {
     std::vector<std::string> names(scenes);
     if (!reader.has("name")) {
@@ -97,7 +97,7 @@ std::vector<std::string> read_names(const CaseReader& reader, std::size_t scenes
     }
     const std::vector<std::string> given = texts(reader, "name");
     if (given.size() != 1 && given.size() != scenes) {
-        reader.refuse("name", "not as many names as scenes",
+        reader.refuse("name", "the number of names differs from that of scenes",
                       "one, or " + std::to_string(scenes) + " of them");
     }
     for (std::size_t i = 0; i < scenes; ++i) {
@@ -135,7 +135,7 @@ std::vector<std::string> keys_of(Measure measure) {
     return keys;
 }
 
-// What does not depend on the scenes.
+// Reads the keys that do not depend on the scenes.
 SuiteCase read_keys(const CaseReader& reader) {
     SuiteCase c{
         .reader = &reader, .scenes = texts(reader, "scene"), .measure = read_measure(reader)};
@@ -179,7 +179,7 @@ void check_names(const Suite& suite, const std::filesystem::path& path) {
     std::set<std::string> names;
     const auto check = [&](const std::string& name) {
         if (!names.insert(name).second) {
-            throw InputError({.what = "two rows of one name",
+            throw InputError({.what = "two rows have the same name",
                               .where = path.string(),
                               .value = "'" + name + "'",
                               .allowed = "another name = \"...\" in one of the cases"});

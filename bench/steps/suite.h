@@ -1,36 +1,37 @@
 // SPDX-License-Identifier: MIT
-// A suite: what dsc_bench measures, read from a TOML file. bench/suites has ours.
+// A suite: the measurements of dsc_bench, read from a TOML file. bench/suites has those of the
+// project.
 //
 //     also = ["operation", "kernel", "flow"]  # rows that need no scene; see suites.h
 //
 //     [[case]]
-//     scene = "swirl"             # of `dsc_scene list`, or a scene file, whose path begins at this
-//                                 # file; or a list of scenes
+//     scene = "swirl"             # of `dsc_scene list`, or a scene file, relative to this file; or
+//                                 # a list of scenes
 //     name = "mine"               # rows are called NAME_MEASURE/...; a list: one for each scene;
-//                                 # unless given, the scene's own
+//                                 # default: the scene's name
 //     measure = "run"             # or "step", "model", "option", "result": see Measure
-//     h = [0.01, 0.005]           # sizes: edge lengths; or triangles = [28000], about so many in
-//                                 # the unit square; or neither: the scene's own h
+//     h = [0.01, 0.005]           # sizes: edge lengths; or triangles = [28000], approximate
+//                                 # numbers in the unit square; default: the scene's own h
 //     set = { insertion = "linear" }        # keys of `dsc_scene run --set`
-//     strategies = ["sequential", "cells"]  # these unless given; model: cells; result: sequential
-//     threads = [1, 2]            # of the parallel ones; or "cores": 1, 2, 4, ... and all cores of
-//                                 # the machine, which holds unless given; result: 1
-//     submeshes = 8               # or "threads" or "cores": as many as there are; else the
-//                                 # strategy's own number, in a step at least one for each thread
+//     strategies = ["sequential", "cells"]  # the default; model: cells; result: sequential
+//     threads = [1, 2]            # of the parallel strategies; or "cores", the default: 1, 2, 4,
+//     ...
+//                                 # and all cores of the machine; result: 1
+//     submeshes = 8               # or "threads" or "cores": one for each; default: the strategy's
+//                                 # number, in a step at least one for each thread
 //     dt_over_h = 0.3             # the time step in edge lengths
-//     area_error = 0.01           # no result is timed whose area is further off, relative (0.01
-//                                 # unless given); "round": what the chords of round shapes leave
-//                                 # out. Not checked where no area is known
+//     area_error = 0.01           # results with a larger relative error of the area are not timed
+//                                 # (default 0.01); "round": the error of chords of round shapes.
+//                                 # Not checked if the exact area is unknown
 //     between_us = [0, 100]       # run: other work of the application between two steps
 //     at = 0.15                   # step, model: the time around which steps are timed, or "half":
-//                                 # those before a flow turns back; unless given, the middle
+//                                 # before the flow turns back; default: the middle
 //     option = { topology = "change" }      # option: compared with the scene without it
 //     same_mesh = true            # option: it must not change the mesh
-//     seeds = [1, 2, 3]           # result: a run for each, with this `seed`
-//     rows = [{ measure = "step" }]         # each is a case of its own: its keys and those above
-//
-// What dsc_verify alone reads, such as `limits`, may stand in the same file (verify/gate/suite.h).
-// Single values may stand for lists of one.
+//     seeds = [1, 2, 3]           # result: one run for each value of `seed`
+//     rows = [{ measure = "step" }]         # each is a separate case with its keys and those above
+// The same file may have keys of dsc_verify, such as `limits` (verify/gate/suite.h). A single value
+// is a list of one.
 #pragma once
 
 #include "scenes/run/run.h"
@@ -44,14 +45,14 @@
 namespace dsc::bench {
 
 enum class Measure : std::uint8_t {
-    run,    ///< whole runs, as an application makes them
-    step,   ///< a step of a scene that is under way, with warm threads
+    run,    ///< whole runs, as in an application
+    step,   ///< a step in the middle of a scene, with warm threads
     model,  ///< the same, modelled for any number of threads from the times of tasks
-    option, ///< what an option costs in a step
-    result, ///< whole runs that nobody times, for bench/Snakefile alone: each by dsc_scene
+    option, ///< the cost of an option in a step
+    result, ///< whole runs that are not timed, made by bench/Snakefile with dsc_scene
 };
 
-/// One row of the result; Measure::option has `Comparison` instead, Measure::result none.
+/// One row of the result. Measure::option has a `Comparison` instead, Measure::result nothing.
 struct Row {
     std::string name{};
     Measure measure = Measure::run;
@@ -61,7 +62,7 @@ struct Row {
     std::uint32_t threads = 1;
     int between_us = 0;
 
-    /// What its runs are asked for, on so many threads.
+    /// The options of its runs on this number of threads.
     [[nodiscard]] scenes::RunOptions options(std::uint32_t on_threads) const;
 };
 
@@ -71,22 +72,22 @@ struct Comparison {
     scenes::Scene scene;
     scenes::Parameters without;
     scenes::Parameters with;
-    bool same_mesh = false; ///< the option must not change the result
+    bool same_mesh = false; ///< whether the option must not change the result
 };
 
 struct Suite {
     std::vector<Row> rows;
     std::vector<Comparison> comparisons;
     std::vector<std::string> also; ///< of `also_names`
-    bool has_results = false;      ///< a case of Measure::result
+    bool has_results = false;      ///< whether there is a case of Measure::result
 };
 
-/// What `also` may name.
+/// The names that `also` may have.
 [[nodiscard]] const std::vector<std::string>& also_names();
 
 /// Reads a suite, and prepares its scenes without making their meshes. Throws InputError with file,
-/// line, key, value and what is allowed; also for files that cannot be read, and for two rows of
-/// one name.
+/// line, key, value and what is allowed; also for files that cannot be read, and for two rows with
+/// the same name.
 [[nodiscard]] Suite read_suite(const std::filesystem::path& path);
 
 } // namespace dsc::bench

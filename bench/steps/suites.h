@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rows of Google Benchmark: main.cpp registers those of a suite, and Google Benchmark's flags
-// choose among them.
+// Registration of the rows of Google Benchmark: main.cpp registers those of a suite, and Google
+// Benchmark's flags select among them.
 #pragma once
 
 #include "suite.h"
@@ -13,7 +13,7 @@ void register_run(const Row& row);
 /// `NAME_step/...`: a time step of a scene (thesis, section 9.7), measured or modelled.
 void register_step(const Row& row);
 
-/// `option/NAME/SCENE`: what an option costs in a step, against the same scene without it.
+/// `option/NAME/SCENE`: the cost of an option in a step, compared with the scene without it.
 void register_comparison(const Comparison& comparison);
 
 /// `operation/NAME`: one operation of the library.
@@ -22,7 +22,7 @@ void register_operations();
 /// `kernel/NAME`: a function of the whole mesh.
 void register_kernels();
 
-/// `flow/NAME`: a velocity by formulas, against the same one in C++.
+/// `flow/NAME`: a velocity by formulas, compared with the same one in C++.
 void register_flows();
 
 } // namespace dsc::bench

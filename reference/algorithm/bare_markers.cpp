@@ -20,7 +20,7 @@ void check_count(std::size_t count, const std::string& where) {
     }
 }
 
-// The markers around the edge from number i to the next one.
+// The four markers around the edge from marker i to the next one.
 struct Neighbours {
     const Point<double>& before;
     const Point<double>& first;
@@ -79,7 +79,7 @@ MarkerCounts space_markers(Markers& markers, const MarkerOptions& options) {
     }
     markers.clear();
     for (std::size_t i = 0; i < halved.size(); ++i) {
-        // The edge from the last marker to the first stays as it is.
+        // The edge from the last marker to the first is not changed.
         const bool is_short = i + 1 < halved.size() &&
                               (halved[i + 1] - halved[i]).norm() < options.shortest &&
                               halved.size() - counts.removed > fewest_markers;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lower bound of every method that tracks an interface by its vertices: a closed polygon of
-// markers in a flow, without a mesh. A mesh costs more, and the error that it adds is seen by
-// comparison.
+// A closed polygon of markers in a flow, without a mesh: the lower bound for all methods that track
+// an interface by its vertices. Comparison with a mesh shows the cost and the error of the mesh.
 #pragma once
 
 #include "reference/algorithm/interpolators.h"
@@ -22,9 +21,9 @@ using BatchVelocity = std::function<void(std::span<const Point<double>> position
                                          std::span<Point<double>> velocities)>;
 
 struct MarkerOptions {
-    double longest = 1.0 / 64; ///< a marker is inserted where an edge is longer
-    double shortest = 0;       ///< one is removed where an edge is shorter; 0: never
-    InterfacePoint insertion = &lagrange_point; ///< where a new marker goes
+    double longest = 1.0 / 64; ///< a marker is inserted if an edge is longer
+    double shortest = 0;       ///< a marker is removed if an edge is shorter; 0: never
+    InterfacePoint insertion = &lagrange_point; ///< position of new markers
 };
 
 struct MarkerCounts {
@@ -36,8 +35,8 @@ struct MarkerCounts {
 void move_markers(Markers& markers, const BatchVelocity& velocity, double time, double dt);
 
 /// Halves each edge that is too long, once; then removes the first marker of each edge that is too
-/// short, but never two in a row, nor of the last eight. O(n).
-/// Throws InputError for fewer than four markers, or unless 0 <= shortest < longest / 2.
+/// short, but never two in a row, and at least eight markers remain. O(n). Throws InputError for
+/// fewer than four markers, or unless 0 <= shortest < longest / 2.
 MarkerCounts space_markers(Markers& markers, const MarkerOptions& options);
 
 /// The curve through the markers: each edge replaced by `parts` chords of the 4-point Lagrange

@@ -15,8 +15,8 @@ namespace dsc::reference {
 
 namespace {
 
-/// The vertices that the velocity moves: none that is locked or on the submesh boundary (thesis,
-/// section 6.4).
+/// The vertices moved by the velocity, without locked ones and those on the submesh boundary
+/// (thesis, section 6.4).
 std::set<Vertex> moving_vertices(const Complex& K, const SimplexSet& I, Moving moving) {
     std::set<Vertex> result = I.vertices;
     if (moving == Moving::interior_too) {
@@ -31,8 +31,7 @@ std::set<Vertex> moving_vertices(const Complex& K, const SimplexSet& I, Moving m
 }
 
 /// Section 6.4: a vertex of the domain boundary may only move such that the domain keeps its shape.
-/// Between two collinear boundary edges it slides, in a corner it stays: a side of the domain lets
-/// nothing through.
+/// Between two collinear boundary edges it slides; in a corner it stays.
 Point<double> along_boundary(const Complex& K, Vertex v, const Point<double>& destination) {
     const auto sides = K.straight_boundary(v);
     if (!sides)
@@ -41,14 +40,14 @@ Point<double> along_boundary(const Complex& K, Vertex v, const Point<double>& de
     const Point<double>& b = K.coord((*sides)[1]);
     const Point<double> direction = (b - a).normalized();
     const Point<double> p = K.coord(v) + direction.dot(destination - K.coord(v)) * direction;
-    // On a slanted side the place is rounded: then the vertex stays.
+    // On a slanted side rounding may move the point off the side: then the vertex stays.
     return orientation(a, p, b) == 0 ? p : K.coord(v);
 }
 
 struct Targets {
     Destinations destinations;
-    std::set<Vertex> held; ///< the velocity is not finite
-    double furthest = 0;   ///< the longest way still to go
+    std::set<Vertex> held; ///< vertices whose velocity is not finite
+    double furthest = 0;   ///< the largest distance to a destination
 };
 
 Targets targets(const Complex& K, const std::set<Vertex>& moving, const Velocity& velocity,
@@ -100,19 +99,19 @@ void dsc(Complex& K, const SimplexSet& I, Destinations& destinations, const Opti
         counts.moved += before - destinations.size();
         ++counts.iterations;
         last = destinations.empty() || iteration >= options.max_iterations;
-        // Printed: interface coarsening and refinement in every iteration. A vertex that is put
-        // between one that has arrived and one that has not would belong to no moment, so that the
-        // interface waits until all have arrived. (There is no InterfaceSmoothing, as it would move
-        // the interface where the velocity did not.)
+        // The thesis does interface coarsening and refinement in every iteration. A new vertex
+        // between one that has arrived and one that has not would belong to no single time, so
+        // interface updates wait until all vertices have arrived. (There is no InterfaceSmoothing,
+        // because it would move the interface where the velocity did not.)
         if (last) {
             interface_coarsening(K, I, passes, counts);
             interface_refinement(K, I, passes, counts);
         }
         update_phases(K, passes, counts);
     }
-    // Q^K is still too low: nothing is left to move, but triangles that the last updates made poor
-    // may be repaired by the next. (Not all can be: between two parts of the interface there is no
-    // free edge.)
+    // Q^K is still too low: all vertices have arrived, but triangles that the last updates made
+    // poor may be repaired by further updates. (Not all can be repaired: between two parts of the
+    // interface there is no free edge.)
     double worst = worst_quality(K);
     for (int i = 0; i < options.max_repairs && worst < passes.poor_quality; ++i) {
         update_phases(K, passes, counts);
@@ -146,14 +145,15 @@ StepCounts step(Complex& K, const Velocity& velocity, double time, double dt,
     for (double done = 0; done < 1;) {
         const SimplexSet I = K.interface();
         const std::set<Vertex> moving = moving_vertices(K, I, options.moving);
-        // The rest of the step in as few equal parts as keep every way within reach.
+        // Divides the rest of the step into the fewest equal parts that keep every displacement
+        // within reach.
         double parts = 1;
         const double rest = (1 - done) * dt;
         Targets next = targets(K, moving, velocity, time + done * dt, rest, options.integrator);
         while (next.furthest > reach) {
             parts = std::max(parts + 1, std::ceil(parts * next.furthest / reach));
             if (!(parts + static_cast<double>(counts.substeps) <= options.max_substeps)) {
-                throw InputError({.what = "way of a vertex in one step",
+                throw InputError({.what = "a vertex moves too far in one step",
                                   .where = where,
                                   .value = std::to_string(next.furthest),
                                   .allowed = "at most " + std::to_string(options.max_substeps) +

@@ -9,12 +9,12 @@
 
 namespace dsc::reference {
 
-/// The velocity at a place and a time.
+/// The velocity at a point and a time.
 using Velocity = std::function<Point<double>(const Point<double>& p, double time)>;
 
 enum class Integrator { euler, midpoint, rk4 };
 
-/// Where `p` is after `dt`.
+/// The position of `p` after `dt`.
 Point<double> advect(const Velocity& velocity, const Point<double>& p, double time, double dt,
                      Integrator integrator);
 

@@ -24,14 +24,15 @@ namespace dsc::reference {
 
 namespace {
 
-// After a retriangulation the patch has fewer triangles. If their mean area is above this share of
-// the target, they would soon be refined again.
+// After a retriangulation the patch has fewer triangles. If their mean area is above this fraction
+// of the target, they would soon be refined again.
 constexpr double patch_mean_area = 0.5;
 
-// An interface edge that a collapse makes longer must stay clear of the threshold that splits it.
+// An interface edge that a collapse makes longer must stay below this fraction of the threshold of
+// splits.
 constexpr double split_margin = 0.95;
 
-/// The area of `t` in units of the target's.
+/// The area of `t` relative to the target.
 double relative_area(const Complex& K, const TriangleKey& t, Phase p, const PassOptions& options) {
     double h = options.edge_length;
     if (options.phase_edge_length) {
@@ -41,7 +42,7 @@ double relative_area(const Complex& K, const TriangleKey& t, Phase p, const Pass
     return area(K, t) / (0.25 * std::numbers::sqrt3 * h * h);
 }
 
-/// The vertex after `v` along the interface, coming over `e`; none at a junction or an end.
+/// The vertex after `v` along the interface, coming from `e`; none at a junction or an end.
 std::optional<Vertex> next_on_interface(const Complex& K, const EdgeKey& e, Vertex v) {
     std::optional<Vertex> next;
     for (const EdgeKey& f : K.edges_at(v)) {
@@ -60,8 +61,8 @@ double distance_to_segment(const Point<double>& p, const Point<double>& a, const
     return distance(p, a + s * (b - a));
 }
 
-/// Removes the end of a short interface edge whose loss changes the curve less. Algorithm 7.7
-/// itself would take the end of smaller number, and lose area wherever the curve bends.
+/// Removes the end of a short interface edge whose removal changes the curve less. Algorithm 7.7
+/// would remove the end with the smaller number, and lose area wherever the curve bends.
 Verdict coarsen_interface(const EdgeKey& e, Complex& K, const PassOptions& options) {
     std::vector<std::pair<double, Vertex>> ends;
     for (const auto& [v, w] : {std::pair{e.v[0], e.v[1]}, std::pair{e.v[1], e.v[0]}}) {
@@ -89,7 +90,8 @@ Verdict refine_interface(const EdgeKey& e, Complex& K, const PassOptions& option
     const auto [v1, v2] = e.v;
     const std::optional<Vertex> v0 = next_on_interface(K, e, v1);
     const std::optional<Vertex> v3 = next_on_interface(K, e, v2);
-    // On the mesh boundary the domain keeps its shape; beyond junctions there is no fourth point.
+    // Not on the mesh boundary, where the domain must keep its shape, and not beside junctions,
+    // where there is no fourth point.
     if (options.interface_point && v0 && v3 && !K.is_boundary(e)) {
         const Point<double> m =
             options.interface_point(K.coord(*v0), K.coord(v1), K.coord(v2), K.coord(*v3));
@@ -119,9 +121,9 @@ double quality_if_collapsed(const Complex& K, Vertex v, Vertex w) {
     return least;
 }
 
-/// Collapses the edge of a poor triangle that leaves the best ring, if that is better than the
-/// present one. The printed coarsening, LocalRetriangulation, is illegal at the interface, where a
-/// moving interface squeezes triangles; and EdgeCollapse by itself looks at no quality.
+/// Collapses the edge of a poor triangle that leaves the best star, if that is better than the
+/// present one. The coarsening of the thesis, LocalRetriangulation, is illegal at the interface,
+/// where triangles become poor, and EdgeCollapse alone does not consider the quality.
 Verdict collapse_poor(const TriangleKey& t, Complex& K) {
     struct Candidate {
         double quality;
@@ -158,7 +160,7 @@ std::optional<EdgeKey> longest_free_edge(const Complex& K, const TriangleKey& t)
     return longest;
 }
 
-/// The smallest quality of the triangles of `e`, now and once it is split at its midpoint.
+/// The smallest quality of the triangles of `e`, before and after a split at its midpoint.
 std::pair<double, double> quality_if_split(const Complex& K, const EdgeKey& e) {
     const Point<double> m = compute_midpoint(K.coord(e.v[0]), K.coord(e.v[1]));
     double before = std::numeric_limits<double>::infinity();
@@ -172,7 +174,7 @@ std::pair<double, double> quality_if_split(const Complex& K, const EdgeKey& e) {
 }
 
 /// Splits the longest free edge of a poor triangle that no collapse could improve: one with a short
-/// edge on the interface. Away from the interface sizes then grow step by step.
+/// edge on the interface. This grades the mesh beside the interface.
 Verdict split_poor(const TriangleKey& t, Complex& K) {
     const std::optional<EdgeKey> e = longest_free_edge(K, t);
     if (!e)
@@ -247,8 +249,8 @@ void phase_refinement(Complex& K, const Phases::value_type& p, const PassOptions
         if (verdict == Verdict::legal) {
             ++counts.subdivisions;
         } else if (verdict == Verdict::on_interface) {
-            // 6.5 forbids LoopSubdivision at the interface, and the thesis leaves such triangles
-            // large: behind a moving interface they would grow without end.
+            // Section 6.5 forbids LoopSubdivision at the interface, and the thesis keeps such large
+            // triangles: behind a moving interface they would grow without bound.
             const std::optional<EdgeKey> e = longest_free_edge(complex, t);
             verdict = e ? edge_split(*e, complex) : verdict;
             counts.splits += verdict == Verdict::legal ? 1U : 0U;
@@ -263,8 +265,7 @@ void phase_refinement(Complex& K, const Phases::value_type& p, const PassOptions
 }
 
 void optimization(Complex& K, const PassOptions& options, PassCounts& counts) {
-    // One sweep replaces the loop over the phases: the edges of phases are those that are not on
-    // the interface, and EdgeFlip refuses the others.
+    // One sweep replaces the loop over the phases: EdgeFlip refuses edges on the interface.
     const Measure<EdgeKey> Q = [&](const EdgeKey& e) { return delaunay(K, e); };
     for (int sweep = 0; sweep < options.flip_sweeps; ++sweep) {
         std::vector<EdgeKey> edges;

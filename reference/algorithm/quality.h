@@ -17,16 +17,16 @@ double length(const Complex& K, const EdgeKey& e);
 double area(const Complex& K, const TriangleKey& t);
 
 /// Equation 4: 2 / sqrt(3) times the sine of the smallest angle; 1 for an equilateral triangle, 0
-/// for one without area. Of the absolute area: see `Complex::orientation` for the sign.
+/// for one without area. It uses the absolute area: see `Complex::orientation` for the sign.
 double quality(const Point<double>& a, const Point<double>& b, const Point<double>& c);
 double quality(const Complex& K, const TriangleKey& t);
 
 /// The smallest quality of the triangles around a vertex; infinity if it has none.
 double star_quality(const Complex& K, Vertex v);
 
-/// The Delaunay condition as a quality of an edge: negative where the two angles opposite to it sum
-/// to more than 180 degrees, i.e. where flipping would improve equation 4; in [-1, 1] and free of
-/// units. 1 for an edge with one triangle.
+/// The Delaunay condition as a quality of an edge: negative if the two opposite angles sum to more
+/// than 180 degrees, i.e. if flipping would improve equation 4; dimensionless, in [-1, 1]. 1 for an
+/// edge with one triangle.
 double delaunay(const Complex& K, const EdgeKey& e);
 
 } // namespace dsc::reference

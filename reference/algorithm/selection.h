@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Selection strategies of the thesis, section 8.8 behind the HasNext and GetNext of algorithm 5.2,
-// and MeshUpdate itself. Low quality is bad: a measure whose large values are bad is given with the
-// opposite sign.
+// and MeshUpdate itself. Low quality is bad: measures whose large values are bad have the opposite
+// sign.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -27,13 +27,13 @@ public:
     virtual ~Selection() = default;
     /// Are there more simplices to update?
     virtual bool has_next() = 0;
-    /// The next simplex to update; only if has_next().
+    /// The next simplex to update; requires has_next().
     virtual Simplex get_next() = 0;
 };
 
-/// The simplices with a quality below a number, the worst first. Operations change their
-/// surroundings, so a simplex is measured again when its turn comes, and skipped if it has
-/// vanished or has become good.
+/// The simplices with a quality below a threshold, the worst first. Operations change their
+/// surroundings, so a simplex is measured again before its update, and skipped if it has vanished
+/// or become good.
 template <class Simplex>
 class BelowThreshold final : public Selection<Simplex> {
 public:
@@ -68,8 +68,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// The n simplices of lowest quality, the worst first; those that have vanished since are
-/// skipped.
+/// The n simplices of lowest quality, the worst first; vanished ones are skipped.
 template <class Simplex>
 class WorstN final : public Selection<Simplex> {
 public:

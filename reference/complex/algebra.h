@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The simplex relations and operations of the thesis, section 3.1: boundary, boundary*, star,
-// closure, link, skeleton and filter. The faces of a simplex of K are in K, so that only star needs
-// K itself.
+// closure, link, skeleton and filter. The faces of a simplex of K are in K, so only `star` needs K
+// itself.
 #pragma once
 
 #include "reference/complex/complex.h"
@@ -25,8 +25,7 @@ SimplexSet closure(const EdgeKey& e);
 SimplexSet closure(const TriangleKey& t);
 SimplexSet closure(const SimplexSet& set);
 
-/// The simplices of K that have this one as a face, itself among them (figure 3.5). Local: costs
-/// what it returns.
+/// The simplices of K that have this one as a face, including itself (figure 3.5). O(their number).
 SimplexSet star(const Complex& K, Vertex v);
 SimplexSet star(const Complex& K, const EdgeKey& e);
 SimplexSet star(const Complex& K, const TriangleKey& t);

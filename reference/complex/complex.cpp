@@ -28,7 +28,7 @@ Vertex Complex::insert(const Point<double>& coord) {
 
 TriangleKey Complex::insert(Vertex a, Vertex b, Vertex c) {
     const TriangleKey t = triangle_key(a, b, c);
-    // Section 8.2: insertion takes the vertices in any order, and the mesh turns them
+    // Section 8.2: insertion accepts the vertices in any order, and the mesh orients them
     // counter-clockwise.
     if (dsc::orientation(coord(a), coord(b), coord(c)) < 0) {
         std::swap(b, c);
@@ -106,8 +106,8 @@ bool Complex::is_interface(const EdgeKey& e, const std::set<TriangleKey>& T) con
     if (T.size() == 2) {
         return phase(*T.begin()) != phase(*T.rbegin());
     }
-    // Section 8.6: across a submesh boundary the phase is not known, and the edge is locked anyway;
-    // at the mesh boundary everything but the exterior has an interface (figure 8.3).
+    // Section 8.6: across a submesh boundary the phase is unknown, and the edge is locked anyway;
+    // at the mesh boundary all phases but the exterior have an interface (figure 8.3).
     return T.size() == 1 && !is_submesh_boundary(e) && phase(*T.begin()) != exterior_phase;
 }
 

@@ -27,19 +27,18 @@ using EdgeAttribute = std::map<EdgeKey, Value>;
 template <class Value>
 using TriangleAttribute = std::map<TriangleKey, Value>;
 
-/// A triangle [v0, v1, v2] in the order that the mesh keeps it in: counter-clockwise when inserted.
+/// A triangle [v0, v1, v2] in the stored order: counter-clockwise when inserted.
 using OrientedTriangle = std::array<Vertex, 3>;
 
 class Complex {
 public:
     // --- mesh functions (thesis, section 4.1) ----------------------------------------------------
-    /// Insertion of a 0-simplex. Numbers of removed vertices are used again.
+    /// Insertion of a 0-simplex. Numbers of removed vertices are reused.
     Vertex insert(const Point<double>& coord);
-    /// Insertion of a 2-simplex and its boundary, in any orientation. Its phase is the exterior's
+    /// Insertion of a 2-simplex and its boundary, in any orientation. Its phase is the exterior
     /// until `set_phase`.
     TriangleKey insert(Vertex a, Vertex b, Vertex c);
-    /// Removal of one simplex, and of nothing else. If it does not exist, nothing
-    /// happens.
+    /// Removal of one simplex only. Does nothing if it does not exist.
     void remove(Vertex v);
     void remove(const EdgeKey& e);
     void remove(const TriangleKey& t);
@@ -57,10 +56,10 @@ public:
     [[nodiscard]] SimplexSet interface() const;
     [[nodiscard]] bool is_boundary(Vertex v) const;
     [[nodiscard]] bool is_boundary(const EdgeKey& e) const;
-    /// The two vertices next to `v` along a mesh boundary that runs straight through it (exactly);
-    /// nothing in a corner, or off the boundary.
+    /// The two neighbours of `v` along the mesh boundary if it runs exactly straight through `v`;
+    /// empty in a corner, or off the boundary.
     [[nodiscard]] std::optional<std::array<Vertex, 2>> straight_boundary(Vertex v) const;
-    /// An interface edge (known to be one on the submesh boundary, too) or an edge of the domain
+    /// Whether the edge is on the interface (on the submesh boundary, too) or on the domain
     /// boundary.
     [[nodiscard]] bool is_constrained(const EdgeKey& e) const;
     [[nodiscard]] bool is_valid_simplex(Vertex v) const { return vertices_.contains(v); }
@@ -100,13 +99,14 @@ public:
     /// Numbers of vertices are below this bound: the length of a 0-simplex attribute vector.
     [[nodiscard]] std::size_t vertex_bound() const { return coords_.size(); }
 
-    // --- given from outside ---------------------------------------------------------------------
-    std::set<Vertex> locked; ///< may neither move nor vanish
+    // --- set by the caller ----------------------------------------------------------------------
+    std::set<Vertex> locked; ///< may neither be moved nor removed
     // From the submeshing method (thesis, section 8.6).
     std::set<Vertex> submesh_boundary_vertices;
     std::set<EdgeKey> submesh_boundary_edges;
-    /// Those of them that are interface edges in the whole mesh. The thesis does not need them, as
-    /// they are locked; but a collapse next to one would fold another interface edge onto it.
+    /// Edges of the submesh boundary that are interface edges in the whole mesh. The thesis does
+    /// not need them, because they are locked; but a collapse beside one would fold another
+    /// interface edge onto it.
     std::set<EdgeKey> submesh_boundary_interface;
     /// Called after a vertex `m` was inserted between `a` and `b` (thesis, section 8.9); may be
     /// empty.
@@ -132,7 +132,7 @@ Complex make_complex(std::span<const Point<double>> points,
                      std::span<const std::array<std::uint32_t, 3>> triangles,
                      std::span<const Phase> phases);
 
-/// K as arrays, vertices numbered afresh in rising order, triangles counter-clockwise.
+/// K as arrays, with vertices renumbered in ascending order and triangles counter-clockwise.
 struct Arrays {
     std::vector<Point<double>> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Geometry that the printed algorithms assume: midpoints, and whether a triangle would keep its
-// orientation if one of its vertices were elsewhere.
+// Geometry used by the algorithms of the thesis: midpoints, and the orientation of a triangle after
+// a move of one of its vertices.
 #pragma once
 
 #include "dsc/geometry/predicates.h"

@@ -19,7 +19,7 @@ struct EdgeKey {
     friend auto operator<=>(const EdgeKey&, const EdgeKey&) = default;
 };
 
-/// A 2-simplex <v0, v1, v2>: its three vertices in rising order.
+/// A 2-simplex <v0, v1, v2>: its three vertices in ascending order.
 struct TriangleKey {
     std::array<Vertex, 3> v;
     friend auto operator<=>(const TriangleKey&, const TriangleKey&) = default;
@@ -84,7 +84,7 @@ inline SimplexSet operator|(SimplexSet a, const SimplexSet& b) {
     return a;
 }
 
-/// Difference: what is in `a` and not in `b`.
+/// Difference: the simplices in `a` that are not in `b`.
 inline SimplexSet operator-(SimplexSet a, const SimplexSet& b) {
     std::erase_if(a.vertices, [&](Vertex v) { return b.contains(v); });
     std::erase_if(a.edges, [&](const EdgeKey& e) { return b.contains(e); });

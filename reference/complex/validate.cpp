@@ -38,7 +38,7 @@ bool is_manifold(const Complex& K, Vertex v) {
             return false;
         ends += degree == 1 ? 1U : 0U;
     }
-    // Connected: walk from one vertex over edges to whatever can be reached.
+    // Connected: walk from one vertex over edges to all reachable vertices.
     std::set<Vertex> reached{*L.vertices.begin()};
     for (std::size_t before = 0; before != reached.size();) {
         before = reached.size();
@@ -60,7 +60,7 @@ std::vector<std::string> validate(const Complex& K) {
             faults.push_back(name(simplex) + " " + fault);
     };
     if (K.phases().size() != K.triangles().size()) {
-        faults.emplace_back("there are not as many phases as triangles");
+        faults.emplace_back("the number of phases differs from that of triangles");
     }
     for (const auto& item : K.triangles()) {
         const TriangleKey& t = item.first;

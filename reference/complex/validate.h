@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is K a simplicial complex (thesis 3), a discrete manifold with boundary (3.2), and not inverted?
+// Checks that K is a simplicial complex (thesis 3), a discrete manifold with boundary (3.2), and
+// not inverted.
 #pragma once
 
 #include "reference/complex/complex.h"
@@ -9,8 +10,8 @@
 
 namespace dsc::reference {
 
-/// One sentence for each fault, which names the simplex; empty if there is none. Checks the
-/// whole complex: O(n log n).
+/// One sentence for each error, which names the simplex; empty if K is valid. Checks the whole
+/// complex: O(n log n).
 std::vector<std::string> validate(const Complex& K);
 
 } // namespace dsc::reference

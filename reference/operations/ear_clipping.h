@@ -13,11 +13,11 @@
 
 namespace dsc::reference {
 
-/// Triangulates a simple polygon given counter-clockwise, walking from its first vertex: an ear is
-/// cut and the walk goes on with its successor; what is no ear is skipped. A vertex is an ear if
+/// Triangulates a simple counter-clockwise polygon by a walk from its first vertex: an ear is cut
+/// off and the walk continues with its successor; other vertices are skipped. A vertex is an ear if
 /// the polygon turns strictly left there and no other vertex of the polygon lies in the closed
-/// triangle. Returns triangles of polygon indices, all strictly positive, or nothing where a whole
-/// round cuts nothing or the last triangle has no area. O(n^3), exact.
+/// triangle. Returns triangles of polygon indices, all strictly positive, or nothing if a whole
+/// round cuts off no ear or the last triangle has no area. O(n^3), exact.
 std::optional<std::vector<std::array<std::size_t, 3>>>
 ear_clipping(std::span<const Point<double>> polygon);
 

@@ -11,24 +11,24 @@ namespace dsc::reference {
 
 namespace {
 
-/// Section 6.5: the domain keeps its shape if `e` is a boundary edge and the boundary runs straight
-/// on through `v`.
+/// Section 6.5: the domain keeps its shape if `e` is a boundary edge and the boundary is straight
+/// at `v`.
 bool may_leave_boundary(const EdgeKey& e, Vertex v, const Complex& K) {
     return K.is_boundary(e) && K.straight_boundary(v);
 }
 
-/// Section 6.5: the interface is coarsened, not broken, if `e` is part of it and `v` is no junction
-/// or end.
+/// Section 6.5: the interface is coarsened, not broken, if `e` is part of it and `v` is neither a
+/// junction nor an end.
 bool may_leave_interface(const EdgeKey& e, Vertex v, const Complex& K) {
     return K.is_interface(e) && std::ranges::count_if(K.edges_at(v), [&](const EdgeKey& f) {
                                     return K.is_interface(f);
                                 }) == 2;
 }
 
-/// The two checks that the printed algorithm lacks. A triangle of star(e) vanishes and its other
-/// two edges become one: were both constrained, a phase or a strip of the domain would vanish. And
-/// where the links meet in more than link(e), triangles would fall onto each other: the link
-/// condition of T. K. Dey et al., "Topology preserving edge contraction" (1999).
+/// Two checks that the algorithm of the thesis lacks. A triangle of star(e) vanishes and its other
+/// two edges become one: if both are constrained, a phase or a strip of the domain would vanish. If
+/// the links meet in more than link(e), triangles would coincide: the link condition of T. K. Dey
+/// et al., "Topology preserving edge contraction" (1999).
 bool changes_topology(const EdgeKey& e, Vertex v, Vertex v_, const SimplexSet& T,
                       const Complex& K) {
     for (const TriangleKey& t : T.triangles) {
@@ -75,7 +75,7 @@ Verdict collapse_end(const EdgeKey& e, Vertex v, Complex& K) {
         K.remove(t);
         K.set_phase(K.insert(v_, a, b), p);
     }
-    // Printed: Remove(v). Simplices that have v as a face cannot stay without it.
+    // The thesis has Remove(v). Simplices that have v as a face must be removed too.
     K.remove(star(K, v));
     return Verdict::legal;
 }

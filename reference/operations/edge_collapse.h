@@ -8,13 +8,13 @@
 
 namespace dsc::reference {
 
-/// One turn of the algorithm's loop: lets the end `v` of `e` vanish into the other end. May answer
+/// One iteration of the algorithm's loop: merges the end `v` of `e` into the other end. May return
 /// not_a_simplex, on_boundary, on_submesh_boundary, on_interface, locked, changes_topology or
 /// inverts.
 Verdict collapse_end(const EdgeKey& e, Vertex v, Complex& K);
 
-/// Algorithm 7.7: tries both ends, the smaller number first (figure 7.6); where both fail the
-/// verdict is that of the first.
+/// Algorithm 7.7: tries both ends, the smaller number first (figure 7.6); if both fail, the verdict
+/// is that of the first.
 Verdict edge_collapse(const EdgeKey& e, Complex& K);
 
 } // namespace dsc::reference

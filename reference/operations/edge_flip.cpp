@@ -24,8 +24,8 @@ Verdict edge_flip(const EdgeKey& e, Complex& K) {
     const auto [v1, v2] = rename<2>(V.vertices);
     const auto [w1, w2] = rename<2>(W.vertices);
 
-    // Not printed in the algorithm, though figure 4.1 asks for it: the two new triangles are
-    // <v1, v2, w1> with v2, and with v1, moved to w2; both must keep their orientation.
+    // Not in the algorithm, but required by figure 4.1: the two new triangles are <v1, v2, w1> with
+    // v2, and with v1, moved to w2; both must keep their orientation.
     const TriangleKey t = triangle_key(v1, v2, w1);
     if (orientation_if(K, t, v2, K.coord(w2)) <= 0 || orientation_if(K, t, v1, K.coord(w2)) <= 0) {
         return Verdict::inverts;

@@ -8,7 +8,7 @@
 
 namespace dsc::reference {
 
-/// Replaces e = <v1, v2> and its two triangles by <w1, w2> and its two (figure 7.1). May answer
+/// Replaces e = <v1, v2> and its two triangles by <w1, w2> and its two (figure 7.1). May return
 /// not_a_simplex, on_boundary, on_submesh_boundary, on_interface or inverts.
 Verdict edge_flip(const EdgeKey& e, Complex& K);
 

@@ -14,11 +14,12 @@ namespace dsc::reference {
 /// opposite edge. The phase is inherited.
 void triangle_split(const TriangleKey& t, Vertex v0, Vertex m, Complex& K);
 
-/// Would splitting `t` from `v0` to a vertex at `p` give two triangles of positive orientation?
+/// Whether splitting `t` from `v0` to a vertex at `p` would give two triangles of positive
+/// orientation.
 bool can_split_triangle(const TriangleKey& t, Vertex v0, const Point<double>& p, const Complex& K);
 
-/// Algorithm 7.6: inserts a vertex on `e`, at the midpoint or at `coord` where that is given (an
-/// application's interpolator, 9.2), and splits the one or two triangles (figure 7.5). May answer
+/// Algorithm 7.6: inserts a vertex on `e`, at `coord` if given (an application's interpolator, 9.2)
+/// or else at the midpoint, and splits the one or two triangles (figure 7.5). May return
 /// not_a_simplex, on_submesh_boundary or inverts. Interface and mesh boundary edges are legal.
 Verdict edge_split(const EdgeKey& e, Complex& K,
                    const std::optional<Point<double>>& coord = std::nullopt);

@@ -9,7 +9,7 @@
 namespace dsc::reference {
 
 /// Moves `v` to the mean of the vertices of its link, if the smallest quality (equation 4) around
-/// it rises strictly. May answer not_a_simplex, on_boundary, on_submesh_boundary, on_interface,
+/// it increases strictly. May return not_a_simplex, on_boundary, on_submesh_boundary, on_interface,
 /// locked, inverts or no_gain.
 Verdict laplacian_smoothing(Vertex v, Complex& K);
 

@@ -12,7 +12,7 @@ namespace dsc::reference {
 
 namespace {
 
-/// PhaseFilter: removes the triangles of another phase than that of `t`.
+/// PhaseFilter: removes the triangles of phases other than that of `t`.
 void phase_filter(const TriangleKey& t, SimplexSet& R, const Complex& K) {
     std::erase_if(R.triangles, [&](const TriangleKey& s) { return K.phase(s) != K.phase(t); });
 }
@@ -30,7 +30,7 @@ void submesh_boundary_filter(SimplexSet& R, const Complex& K) {
 }
 
 /// The vertices of R' = closure(R) \ R in counter-clockwise order from the smallest; empty if R' is
-/// not one simple polygon. 7.6: the set algebra cannot express an order, so that it is taken
+/// not one simple polygon. Section 7.6: the set algebra cannot express an order, so it is taken
 /// from the oriented triangles of R.
 std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const Complex& K) {
     std::map<Vertex, Vertex> successor;
@@ -46,12 +46,12 @@ std::vector<Vertex> polygon_of(const SimplexSet& R_, const SimplexSet& R, const 
             }
         }
     }
-    // An edge that was met from both sides is a loose end inside R.
+    // An edge visited from both sides is a loose end inside R.
     if (R_.vertices.empty() || followed != R_.edges.size()) {
         return {};
     }
-    // The walk must come back to its start exactly when all vertices were visited: there is one
-    // loop, it touches itself nowhere, and no vertex is left over.
+    // The walk must return to its start exactly when all vertices have been visited: then there is
+    // one loop that does not touch itself, and no other vertex.
     std::vector<Vertex> polygon;
     Vertex v = *R_.vertices.begin();
     do {

@@ -42,7 +42,7 @@ Verdict loop_subdivision(const TriangleKey& t, Complex& K) {
     const std::optional<Vertex> C_ = opposite_vertex(t, edge_key(A, B), K);
 
     // Rounded midpoints need not lie on the edges, so every new triangle is tested. The four inside
-    // t, as t with its vertices moved; sign: the order A, B, C may be clockwise.
+    // t are tested as t with moved vertices; sign: the order A, B, C may be clockwise.
     const int sign = dsc::orientation(K.coord(A), K.coord(B), K.coord(C));
     const auto positive = [&](const Point<double>& x, const Point<double>& y,
                               const Point<double>& z) {

@@ -12,7 +12,7 @@ namespace dsc::reference {
 
 namespace {
 
-/// Whether the new vertex can be at the place of all of these, and of the place asked for.
+/// Whether the new vertex can have the position of all fixed vertices, and the given position.
 bool can_stay(const std::set<Vertex>& fixed, const std::optional<Point<double>>& place,
               const Complex& K) {
     return fixed.size() <= 1 &&
@@ -32,7 +32,7 @@ bool is_simple_curve(const std::set<EdgeKey>& edges, bool is_open) {
             return false;
         ends += neighbours.size() == 1 ? 1U : 0U;
     }
-    // In one piece and without branches, it is a path if it has ends, and a polygon if it has none.
+    // A connected curve without branches is a path if it has ends, and a polygon if it has none.
     std::set<Vertex> reached;
     std::vector<Vertex> waiting{next_to.begin()->first};
     while (!waiting.empty()) {
@@ -72,16 +72,16 @@ Verdict triangle_collapse(const TriangleKey& t, Complex& K,
                             : fixed.empty()
                                 ? (K.coord(t.v[0]) + K.coord(t.v[1]) + K.coord(t.v[2])) / 3
                                 : K.coord(*fixed.begin());
-    // Those that share one vertex with t, and those that share an edge.
+    // The triangles that share one vertex with t, and those that share an edge.
     const SimplexSet S = filter(2, star(K, closure(t)));
     SimplexSet T;
     for (const EdgeKey& e : boundary(t).edges)
         T = T | filter(2, star(K, e));
     const SimplexSet T_ = S - T;
 
-    // What is left to be joined to the new vertex: the edges opposite to those of t. The new vertex
-    // has a disc around it, or half of one on the boundary, if and only if they are one curve and
-    // each belongs to one triangle alone.
+    // The edges to be joined to the new vertex are those opposite to t. The new vertex has a disc
+    // around it, or half a disc on the boundary, if and only if they form one curve and each
+    // belongs to one triangle only.
     std::set<EdgeKey> opposite;
     std::vector<std::pair<EdgeKey, TriangleKey>> renewed;
     for (const TriangleKey& s : T_.triangles) {

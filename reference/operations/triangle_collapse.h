@@ -10,12 +10,12 @@
 
 namespace dsc::reference {
 
-/// Figure 13.1, as its caption says: `t` and the triangles at its edges are removed, and those that
-/// share one vertex with it use a new vertex instead, at `place`. By default that is the position
-/// of the vertex of `t` that may not move, if there is one; otherwise of the only one on the
-/// interface; otherwise the centroid. With `may_change_interface` the vertices on the interface may
-/// move as well. May answer not_a_simplex, on_boundary, on_submesh_boundary, on_interface, locked,
-/// changes_topology or inverts.
+/// Figure 13.1 and its caption: `t` and the triangles at its edges are removed, and in triangles
+/// that share one vertex with `t` a new vertex at `place` replaces it. The default of `place` is
+/// the position of the vertex of `t` that may not move, if there is one; otherwise that of the only
+/// one on the interface; otherwise the centroid. With `may_change_interface` the vertices on the
+/// interface may move as well. May return not_a_simplex, on_boundary, on_submesh_boundary,
+/// on_interface, locked, changes_topology or inverts.
 Verdict triangle_collapse(const TriangleKey& t, Complex& K,
                           const std::optional<Point<double>>& place = std::nullopt,
                           bool may_change_interface = false);
