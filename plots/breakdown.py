@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws where the time of a step goes: its parts as measured on one thread, and what n modelled threads
-spend n times the wall time of a step on.
+"""Draws the parts of the time of a step: measured on one thread, and modelled for n threads as parts of n
+times the wall time of a step.
 
 breakdown.py FILE.json... --out PICTURE.pdf
 
@@ -9,7 +9,7 @@ The files are results of dsc_bench with modelled rows (measure = "model" in a su
 """
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from results import load, series
 
@@ -29,18 +29,18 @@ USES = [("work", "work in parallel sections", "#6B8CA6"),
         ("waiting", "waiting in parallel sections", style.FAINT)]
 STRATEGIES = ("cells", "active")
 THREADS = (2, 4, 8, 16)
-WRITE_FROM = 0.09  # of the tallest bar: smaller pieces carry no number
+WRITE_FROM = 0.09  # of the tallest bar: smaller pieces have no number
 
 
 def parts(row):
-    """{counter: microseconds} of the step on one thread, or {} where it was not written."""
+    """{counter: microseconds} of the step on one thread, or {} if it was not written."""
     values = {key: row.measurement.counter(key) for key, _, _ in PARTS}
     return {} if all(v is None for v in values.values()) else {
         key: value or 0.0 for key, value in values.items()}
 
 
 def uses(row):
-    """{use: microseconds}, whose sum is n times the modelled wall time of a step.
+    """{use: microseconds}; the sum is n times the modelled wall time of a step.
 
     With t the wall time, w the work in parallel sections, p their wall time: serial share
     s = (t - p) / (t - p + w) and busy share b = w / (n p), hence p = t / (1 + n b s / (1 - s)).
@@ -56,7 +56,7 @@ def uses(row):
 
 
 def _bars(rows, size):
-    """[(strategy, n, values)] of one size: as measured on one thread, and as modelled on more."""
+    """[(strategy, n, values)] of one size: measured on one thread, modelled on more."""
     def find(strategy, n, values):
         return [(strategy, n, found) for r in rows if (r.triangles, r.strategy, r.threads)
                 == (size, strategy, n) and (found := values(r))][:1]
@@ -69,7 +69,7 @@ def plain(family, rows):
     """The largest part of a step on one thread, at the largest size."""
     found = [r for r in rows if r.threads == 1 and parts(r)]
     if not found:
-        return "No row says where the time of a step on one thread goes."
+        return "No row has the parts of the time of a step on one thread."
     row = max(found, key=lambda r: (r.triangles, r.strategy == STRATEGIES[0]))
     values = parts(row)
     key, name, _ = max(PARTS, key=lambda part: values[part[0]])
@@ -79,13 +79,13 @@ def plain(family, rows):
 
 
 def _ink(colour):
-    """Black or white, whichever reads better on a colour."""
+    """Black or white, whichever is more readable on a colour."""
     red, green, blue = (int(colour[k:k + 2], 16) for k in (1, 3, 5))
     return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 140 else style.INK
 
 
 def _stack(axes, bars, kinds, base):
-    """A bar for each, with its share written into the larger pieces, and a line at `base`."""
+    """A bar for each entry, with shares written into the larger pieces, and a line at `base`."""
     tallest = max([sum(values.values()) for *_, values in bars], default=1)
     for place, (_, _, values) in enumerate(bars):
         bottom, total = 0.0, sum(values.values())
@@ -109,7 +109,7 @@ def _stack(axes, bars, kinds, base):
 
 
 def draw(bench):
-    """A Picture for each family with an account of where the time goes."""
+    """A Picture for each family with the parts of the time."""
     measured, rows = series.rows(bench), series.modelled(bench)
     for family in series.families(rows):
         mine = [r for r in rows if r.family == family and r.strategy in STRATEGIES]
@@ -133,7 +133,7 @@ def _picture(family, rows, measured, sizes, context):
     handles = [style.square(name, colour) for _, name, colour in PARTS]
     handles += [style.square(f"modelled: {name}", colour) for _, name, colour in USES]
     handles.append(style.key("sequential step", style.INK, line=style.SHORT_DASHES, width=1))
-    title = f"Where the time of a step goes: {series.title(family)}"
+    title = f"The parts of the time of a step: {series.title(family)}"
     style.finish(fig, title, style.caption_text(
         context, "Above: measured on one thread, summed over submeshes; everything except the "
         "later colours and the serial parts belongs to the first colour.\nBelow: modelled, not "

@@ -9,7 +9,7 @@ The files are results of dsc_precision, of at least four edge lengths.
 """
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 
@@ -22,7 +22,7 @@ METHODS = ["default", "linear insertion", "never coarsened", "fourth order",
 
 
 def chosen(runs):
-    """{flow: {method: line}} of the lines in the picture, those with at least four sizes."""
+    """{flow: {method: line}} of the lines with at least four sizes."""
     found = {}
     for flow, lines in data.flows(runs).items():
         some = {m: lines[m] for m in METHODS if m in lines and data.order(lines[m])}
@@ -98,11 +98,11 @@ def _guides(axes, lines, moment, sizes):
 
 
 def plain(found):
-    """What half as long edges do to the error of the default."""
+    """The factor by which half the edge length divides the error of the default."""
     orders = [(lines[data.DEFAULT][0].title, data.order(lines[data.DEFAULT]))
               for lines in found.values() if data.DEFAULT in lines]
     if not orders:
-        return "The default method was not run at enough edge lengths to tell an order."
+        return "The default method was not run with enough edge lengths for an order."
     return "Edges half as long divide the error of the default by " + style.listing(
         f"{2 ** order.fitted:.1f} ({title})" for title, order in orders) + "."
 

@@ -1,17 +1,17 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the frames of a run as a film that browsers play, over and over.
+"""Draws the frames of a run as a film for browsers, in a loop.
 
 film.py FOLDER --out FILM.webp
 
-The folder is one of `dsc_scene run --frames FOLDER --every N`, with one run. A fluid is drawn by its
-speed, on a scale that ends at the median of the frames' largest, anything else by its phases; the
+The folder is one of `dsc_scene run --frames FOLDER --every N`, with one run. A fluid is coloured by its
+speed, on a scale up to the median of the largest speeds of the frames; other runs by their phases. The
 interface is bold.
 """
 import io
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib import pyplot
@@ -30,7 +30,7 @@ OF_REPORT = "bubbles.webp"
 
 
 def drawn(frame, time, most):
-    """A frame as an image; most: the speed at the end of the scale, None where nothing flows."""
+    """A frame as an image; most: the speed at the end of the scale, None without a flow."""
     low, high = frame.box()
     across, up = SIDE * (high - low) / (high - low).min()
     figure = pyplot.figure(figsize=(across, up + 0.25), dpi=DPI)
@@ -57,7 +57,7 @@ def film(folder):
     ((scene, _), files), = sequences.items()
     shown = [(time, load_frames.read_frame(path)) for _, time, path in files]
     flows = all("velocity" in frame.at_vertices for _, frame in shown)
-    # Where pieces merge the speed is many times that of all other frames for a moment.
+    # When pieces merge, the speed is many times that of all other frames for a moment.
     fastest = [float(flow.speed(frame).max()) for _, frame in shown] if flows else []
     most = float(numpy.median(fastest)) or 1.0 if flows else None
     images = [drawn(frame, time, most) for time, frame in shown]
@@ -68,7 +68,7 @@ def film(folder):
 
 
 def section(out):
-    """The part of the report in the folder `out`, where bench/run.sh has left a film; else nothing."""
+    """The section of the report if bench/run.sh has left a film in the folder `out`; else nothing."""
     path = out / OF_REPORT
     if not path.is_file():
         return ""

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the flow of a fluid from frames that `dsc_scene run --frames` wrote.
+"""Draws the flow of a fluid from frames of `dsc_scene run --frames`.
 
 flow.py FRAME.vtu... --out PICTURE.png
 
-A panel for each frame: the speed as a colour, one scale for all, and the interface bold.
+A panel for each frame: the speed as a colour on a common scale, and the interface in bold.
 """
 import os
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.collections import LineCollection
@@ -32,7 +32,7 @@ def read(path):
 
 
 def speed(frame):
-    """Of each vertex."""
+    """The speed at each vertex."""
     return numpy.hypot(*frame.at_vertices["velocity"].T)
 
 

@@ -10,7 +10,7 @@ A folder is one of `dsc_scene run --frames FOLDER`.
 import os
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.collections import LineCollection, PolyCollection
@@ -20,7 +20,7 @@ from results import load_frames
 
 CLOSE_UP = 6_000  # from this many triangles on, a second row shows about CLOSE_COUNT of them
 CLOSE_COUNT = 500
-MANY = 8  # more phases than this are not told apart by name
+MANY = 8  # more phases than this have no names in the legend
 EVENT_MARKS = {"merge": "o", "meet": "P", "split": "X", "t1": "D", "fill": "v", "remove": "s",
                "widen": "."}
 
@@ -55,8 +55,8 @@ def areas(frame):
 
 
 def window(frame, count=CLOSE_COUNT, centre=None):
-    """Corners (low, high) of a square with about `count` triangles, inside the domain if it is
-    large enough; at the top of the interface where no centre is given."""
+    """Corners (low, high) of a square with about `count` triangles, inside the domain if the domain is
+    large enough; by default at the top of the interface."""
     low, high = frame.box()
     ends = frame.points[interface(frame)].reshape(-1, 2)
     if centre is None:
@@ -71,20 +71,20 @@ def window(frame, count=CLOSE_COUNT, centre=None):
 
 
 def centre_of(events):
-    """Where phases first met or parted, or the first event; None without events."""
+    """The place where phases first merged or split, or the place of the first event; None without events."""
     first = [e for e in events if e.kind in ("merge", "split", "meet")] or events
     return numpy.array([first[0].x, first[0].y]) if first else None
 
 
 def mesh(axes, frame, inches, low, high, fills=None, edges=True, line=style.INTERFACE):
     """Draws the part of a mesh in the rectangle between low and high; fills: one colour for each
-    triangle, in place of that of its phase; line: the colour of the interface."""
+    triangle instead of that of its phase; line: the colour of the interface."""
     corners = frame.points[frame.triangles]
     inside = ((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1)
     corners = corners[inside]
     if fills is None:
         fills = numpy.array(style.PHASE_FILLS)[frame.phases % len(style.PHASE_FILLS)]
-    # The more triangles share the panel, the thinner the edges; with very many there are none.
+    # Edges are thinner in panels with more triangles, and not drawn with very many.
     width = min(0.6, 4.5 * inches / max(1.0, len(corners) ** 0.5))
     axes.add_collection(PolyCollection(
         corners, facecolors=fills[inside], edgecolors=style.EDGE if edges and width > 0.02 else "face",
@@ -123,7 +123,7 @@ def plain(scene, shown, events=()):
 
 def read(folder):
     """[(scene, strategy, [(number, time, Frame)], [Event])] of the runs in the folder, one for each
-    scene: those of other strategies look the same."""
+    scene, because other strategies look the same."""
     runs, known = [], set()
     for (scene, strategy), files in sorted(load_frames.frame_files(folder).items(), key=lambda pair: (
             pair[0][0], style.order(pair[0][1]))):
@@ -146,7 +146,7 @@ def draw(runs, context=None):
 
 
 def mark_events(axes, events, low, high):
-    """A ring where each event took place."""
+    """Draws a ring at the place of each event."""
     for kind, marker in EVENT_MARKS.items():
         places = [(e.x, e.y) for e in events if e.kind == kind
                   and low[0] <= e.x <= high[0] and low[1] <= e.y <= high[1]]

@@ -1,15 +1,15 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws how much work a step needs for threads to pay: S(n) / n against the time of the sequential step.
+"""Draws how much work a step needs for threads to pay off: S(n) / n against the time of the sequential step.
 
 granularity.py FILE.json... --out PICTURE.pdf
 
-The files are results of dsc_bench with rows NAME_step; modelled ones stay out.
+The files are results of dsc_bench with rows NAME_step; modelled rows are left out.
 """
 import math
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.ticker import LogLocator
@@ -39,8 +39,8 @@ def threshold(points):
 
 
 def judged(points, n):
-    """The points from which the threshold is read: those of the family of many sizes, or else of
-    all scenes, for the strategy with the most points (of two with as many, the better one)."""
+    """The points that give the threshold: those of the family of many sizes, or else of all scenes, for
+    the strategy with the most points (or the better one of two)."""
     here = [p for p in points if p.n == n]
     here = [p for p in here if p.row.family == series.GRANULARITY] or here
     lines = series.by_label(here).values()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Draws histograms of triangle area, quality and angle for each strategy (thesis, figures 10.13, 10.14
-and 10.17): a panel each, with the outline of the sequential run in all of them.
+and 10.17): one panel for each, with the outline of the sequential run in all panels.
 
 histograms.py RESULT.json... --out PICTURE.pdf
 
@@ -9,7 +9,7 @@ The files are results of `dsc_scene run --json`, of one scene in one strategy ea
 """
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 
@@ -26,7 +26,7 @@ COLUMNS = 3
 
 
 def groups(scenes, verify):
-    """{(scene, quantity): {strategy: Histogram}}; a verify report counts before a scene's."""
+    """{(scene, quantity): {strategy: Histogram}}; a verify report overrides results of scenes."""
     result = {}
     listed = list(verify.histograms) if verify else []
     for item in listed + [h for scene in scenes for h in scene.histograms]:
@@ -37,7 +37,7 @@ def groups(scenes, verify):
 
 
 def median(item):
-    """Median of the binned values, linear inside its bin."""
+    """Median of the binned values, interpolated linearly in its bin."""
     half = sum(item.counts) / 2
     total = 0.0
     for low, high, count in zip(item.edges, item.edges[1:], item.counts):
@@ -62,7 +62,7 @@ def base_of(found):
 
 
 def furthest(found):
-    """(largest distance from the base, strategy), or None where nothing can be compared."""
+    """(largest distance from the base, strategy), or None if there is nothing to compare."""
     base = base_of(found)
     return max(((distance(h, base), s) for s, h in found.items()
                 if h is not base and h.edges == base.edges), default=None)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws what one operation costs: flip, split, collapse and the others of the thesis's chapter 7.
+"""Draws the cost of one operation: flip, split, collapse and the others of the thesis's chapter 7.
 
 operations.py FILE.json... --out PICTURE.pdf
 
@@ -8,15 +8,14 @@ The files are results of dsc_bench with rows operation/NAME (also = ["operation"
 """
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from results import load
 
 
 def costs(bench):
-    """[(label, [nanoseconds a repetition])], cheapest first.
-
-    The counter items_per_second counts where it is written, because an iteration may hold a
+    """[(label, [nanoseconds, one for each repetition])], cheapest first.
+    The counter items_per_second is used if it is present, because an iteration may have a
     batch of operations; otherwise an iteration is one operation.
     """
     found = [m for m in bench.measurements if m.family == "operation" and m.positions]

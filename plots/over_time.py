@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws a run over time from what `dsc_scene run --series` wrote.
+"""Draws a run over time from a file of `dsc_scene run --series`.
 
 over_time.py SERIES.csv --out PICTURE.png [--json RESULT.json]
 
-Four panels: the error (or the length of the interface, where no exact shape is known), the worst
-triangle, how many triangles and living phases there are, and the operations of a step. The result of
-the same run, given by --json, adds machine and commit to the caption.
+Four panels: the error (or the length of the interface if no exact shape is known), the worst triangle,
+the numbers of triangles and phases, and the operations per step. The result of the same run, given by
+--json, adds machine and commit to the caption.
 """
 import csv
 import math
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from matplotlib.ticker import MaxNLocator
 
@@ -44,7 +44,7 @@ def read(path):
 
 
 def between(columns, name):
-    """[(middle of the time, value of one step)] of what is counted between two rows."""
+    """[(middle of the time, value of one step)] for counts between two rows."""
     rows = list(zip(columns["time"], columns["step"], columns[name]))
     return [((t0 + t1) / 2, value / (s1 - s0))
             for (t0, s0, _), (t1, s1, value) in zip(rows, rows[1:]) if s1 > s0]
@@ -72,7 +72,7 @@ def draw_size(axes, columns):
     if len(set(columns["phases"])) > 1:
         beside = axes.twinx()
         beside.plot(columns["time"], columns["phases"], color=style.GREEN)
-        beside.set_ylabel("living phases", color=style.GREEN)
+        beside.set_ylabel("phases", color=style.GREEN)
         beside.set_ylim(bottom=0)
         beside.grid(False)
 
@@ -86,7 +86,7 @@ def draw_work(axes, columns):
 
 
 def picture(columns, result):
-    """result: what --json wrote of the same run, or None."""
+    """result: the result (--json) of the same run, or None."""
     figure, grid = style.figure(9, 6, 2, 2, sharex=True)
     error, quality, size, work = grid.flat
     draw_error(error, columns)
@@ -129,7 +129,7 @@ def draw(given):
 
 def main(argv=None):
     return script.main(__doc__, draw, argv, json={
-        "metavar": "RESULT.json", "help": "what --json wrote of the same run"})
+        "metavar": "RESULT.json", "help": "the result (--json) of the same run"})
 
 
 if __name__ == "__main__":

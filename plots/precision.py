@@ -10,14 +10,14 @@ The files are results of dsc_precision, one for each method and edge length.
 import math
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from matplotlib.lines import Line2D
 from matplotlib.ticker import LogLocator
 
 from results import precision_data as data
 
-# method -> (colour, marker); those of one panel differ in both.
+# method -> (colour, marker); methods of one panel differ in both.
 LOOKS = {
     "default": (style.BLUE, "o"),
     "euler": (style.ORANGE, "^"),
@@ -44,7 +44,7 @@ MOMENTS = {"last": "At the end", "half": "Half-way, where the shape is most stre
 
 
 def shown(lines, panel):
-    """The methods of a panel: the default is in each, bare markers where they are the limit."""
+    """The methods of a panel: always the default, and bare markers where they are the lower bound."""
     floors = {"other": set(FLOOR_MARKERS), "time": set(),
               "remeshing": {"markers, linear", "markers, cubic", "markers, cubic, all kept"}}[panel]
     return {m: line for m, line in lines.items()
@@ -52,7 +52,7 @@ def shown(lines, panel):
 
 
 def fashion(method, line):
-    """Keywords of a method's line, in pictures as in legends."""
+    """Keywords of a method's line, in pictures and legends."""
     if line[0].group == "markers":
         return {"color": style.MUTED, "linewidth": 0.9, "linestyle": style.DOTTED, "zorder": 2,
                 "marker": FLOOR_MARKERS.get(method, "1"), "markersize": 8,
@@ -74,8 +74,8 @@ def _lines(axes, lines, moment):
 
 
 def _lengths(axes, line, moment):
-    """Writes the edge length beside the points of the default, on the side where points of other
-    methods are rare, unless it would overlap the one before."""
+    """Writes the edge length beside the points of the default, on the side with few points of other
+    methods, unless it would overlap the previous one."""
     low, high = (math.log(v) for v in axes.get_ylim())
     last = None
     for e, t, run in data.points(line, moment):
@@ -88,7 +88,7 @@ def _lengths(axes, line, moment):
 
 
 def _marks(axes, marks):
-    """Errors without a time, as letters on the axis; the legend says what they are."""
+    """Errors without a time, as letters on the axis, explained in the legend."""
     if not marks:
         return
     low, high = axes.get_ylim()
@@ -104,7 +104,7 @@ def _marks(axes, marks):
 
 
 def set_ticks(axis):
-    """Powers of ten, or their double and half as well where hardly one of them would be in view."""
+    """Powers of ten; also their doubles and halves if hardly any power of ten is in view."""
     low, high = axis.get_view_interval()
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)) if high < 30 * low else LogLocator(numticks=8))
 
@@ -155,7 +155,7 @@ def _one(flow, lines, peers, marks):
             set_ticks(axes.yaxis)
             axes.minorticks_off()
             axes.yaxis.set_major_formatter(lambda seconds, _: style.tick(seconds * 1e6))
-            if panel != "other":  # too full for words; the panels below have the same line
+            if panel != "other":  # no room for labels; the panels below have the same line
                 _lengths(axes, some.get(data.DEFAULT, []), moment)
         legend = grid[row][-1].legend(
             handles=_keys(some, *beside), loc="upper left", bbox_to_anchor=(1.03, 1.02),
@@ -174,7 +174,7 @@ def _one(flow, lines, peers, marks):
 
 
 def plain(lines, peers):
-    """The default beside the most precise point of another program that it reaches, or alone."""
+    """The default compared with the most accurate point of another program that it reaches, or alone."""
     title = next(iter(lines.values()))[0].title
     ours = data.points(lines.get(data.DEFAULT, []))
     if not ours:
@@ -198,10 +198,10 @@ def plain(lines, peers):
 
 
 def notes(lines, peers, marks):
-    """What someone new needs to read the picture."""
+    """The caption, for a reader new to the picture."""
     text = ("Lower left is better. The default is RK4, cubic insertion, coarsening by deviation, "
-            "double precision; each other method changes what its name says. Where a method cannot "
-            "be seen, its line lies under that of the default. One thread, the shortest CPU time "
+            "double precision; each other method changes what its name says. The line of a method that is not "
+            "visible lies under that of the default. One thread, the shortest CPU time "
             "of up to three runs.")
     if any(not r.holds for line in lines.values() for r in line):
         text += " Crossed out: some vertices did not reach their target."

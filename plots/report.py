@@ -4,12 +4,12 @@
 
 report.py --bench FILE... --scenes FILE... --precision FILE... --hard FILE --verify FILE... --frames DIR --published DIR --out DIR [--formats png,svg,pdf] [--jobs N]
 
-What was not run is said plainly in the page and is no error.
+The page says what was not run; this is not an error.
 """
 import os
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import frames
 import submeshes
@@ -26,9 +26,9 @@ def arguments(argv):
                            help=what)
     for name, kind, what in (
             ("hard", "FILE", "JSON of dsc_hard"),
-            ("frames", "DIR", "frames that dsc_scene wrote"),
-            ("published", "DIR", "the figures to compare with"),
-            ("out", "DIR", "where the report goes")):
+            ("frames", "DIR", "frames of dsc_scene"),
+            ("published", "DIR", "published figures for comparison"),
+            ("out", "DIR", "folder for the report")):
         words.add_argument(f"--{name}", required=name == "out", metavar=kind, help=what)
     words.add_argument("--formats", default=",".join(script.FORMATS), metavar="LIST",
                        help="of png,svg,pdf (default: all)")
@@ -43,7 +43,7 @@ def arguments(argv):
 
 
 def read(options):
-    """Everything that there is to show, as plain records: the rooms take what they know from it."""
+    """All results as plain records."""
     found = {
         "bench": load.read_bench(options.bench) if options.bench else None,
         "scenes": [load.read_scene(path) for path in options.scenes],
@@ -61,7 +61,7 @@ def read(options):
 
 
 def build(options):
-    """Reads everything first, so that a bad file does not leave half a report behind."""
+    """Reads all files first, so that a bad file does not leave an incomplete report."""
     results = read(options)
     try:
         os.makedirs(options.out, exist_ok=True)
@@ -71,8 +71,8 @@ def build(options):
     sections = contents.build(results, drawn, options.out)
     text = page.document(
         "Deformable simplicial complexes: speed against error",
-        "How well and how fast moving interfaces are kept on this machine, beside the figures of "
-        "the thesis and of other programs.", _head(contents.context(results)), sections)
+        "Accuracy and speed of moving interfaces on this machine, beside figures of the thesis and of "
+        "other programs.", _head(contents.context(results)), sections)
     style.write_bytes(os.path.join(options.out, "index.html"), text.encode("utf-8"))
 
 

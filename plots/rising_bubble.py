@@ -1,21 +1,21 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws what the rising bubble's figures cost, beside those of another code.
+"""Draws the errors of the rising bubble's figures against their cost, beside those of another code.
 
 rising_bubble.py RESULT.json... --out PICTURE.png
 
-Each result is that of a run of `dsc_scene run rising-bubble --json`, say with other edge lengths
-and steps. Each of three figures has a panel of its own, since one alone can be right by luck: its
-error against CPU seconds.
+Each result is one of `dsc_scene run rising-bubble --json`, with different edge lengths and steps.
+Three figures have a panel each, error against CPU seconds, because a single figure can be accurate by
+chance.
 """
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from results.load import InputFault, need, read_json
 
-# Key of a result, title, the closest published series (MooNMD's, on a mesh that fits the interface)
-# and by how much the groups of the benchmark differ from it.
+# Key of a result, title, the closest published value (of MooNMD, with a mesh that fits the interface) and the
+# difference of the other groups of the benchmark from it.
 FIGURES = [("rise_velocity_max", "largest rise velocity", 0.24166, 4e-4),
            ("centre_last", "height of the centre at time 3", 1.08170, 1.8e-3),
            ("circularity_last", "circularity at time 3", 0.92071, None)]
@@ -23,7 +23,7 @@ FIGURES = [("rise_velocity_max", "largest rise velocity", 0.24166, 4e-4),
 # Basilisk (2025) on half of the domain: CPU seconds and the three figures, on another machine.
 BASILISK = [(0.28, (0.24091, 1.07718, 0.9200)), (1.6, (0.24165, 1.07921, 0.9192)),
             (14, (0.24182, 1.08086, 0.9200)), (137, (0.24180, 1.08149, 0.9207))]
-SMALLEST = 1e-6  # the published digits end here
+SMALLEST = 1e-6  # accuracy of the published digits
 
 
 def read(path):

@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib import pyplot
@@ -30,19 +30,19 @@ MOST_PANELS = 4
 QUALITY = 80             # of WebP's 100, in the report
 OF_REPORT = "enright"
 PICTURE = OF_REPORT + ".png"
-# The same flow by other programs (El Topo tracks the bare surface): volume lost, CPU seconds, vertices.
+# The same flow by other programs (El Topo tracks the surface only): volume lost, CPU seconds, vertices.
 PEERS = (("El Topo, a surface without a mesh around it", "0.25 %", "159", "6,291"),
          ("the official 3D DSC, 45,000 tets", "6.9 %", "", ""),
          ("FrontTrackingMethods.jl", "5.6 %", "", ""))
 
 
 def read_ply(path):
-    """(points, triangles) of a file that dsc3::write_ply has written."""
+    """(points, triangles) of a file of dsc3::write_ply."""
     content = pathlib.Path(path).read_bytes()
     head, mark, body = content.partition(b"end_header\n")
     counts = re.findall(rb"element (?:vertex|face) (\d+)", head)
     if not mark or len(counts) != 2 or b"binary_little_endian" not in head:
-        raise load.InputFault(f"{path} is no surface that dsc_scene wrote.")
+        raise load.InputFault(f"{path} is not a surface of dsc_scene.")
     vertices, faces = map(int, counts)
     face = numpy.dtype([("size", "u1"), ("of", "<i4", 3)])
     if len(body) != 24 * vertices + face.itemsize * faces:
@@ -60,7 +60,7 @@ def view():
 
 
 def panel(axes, surface):
-    """Triangles from behind to the front, brighter where they face the light."""
+    """Triangles from back to front, brighter if they face the light."""
     points, faces = surface
     across, up, towards = view()
     corners = points[faces]
@@ -75,7 +75,7 @@ def panel(axes, surface):
 
 
 def frames_of(folder):
-    """[(time, surface)] of the .ply files that the folder's one collection names."""
+    """[(time, surface)] of the .ply files of the only collection in the folder."""
     collections = sorted(pathlib.Path(folder).glob("*.pvd"))
     if len(collections) != 1:
         raise load.InputFault(f"{folder} has {style.counted(len(collections), 'run')}, where one is needed.")
@@ -105,8 +105,8 @@ def draw(given):
 
 
 def section(out):
-    """The part of the report in the folder `out`, where bench/run.sh has left a picture and results of
-    Enright's test in several sizes; else nothing."""
+    """The section of the report if bench/run.sh has left a picture and results of Enright's test in several
+    sizes in the folder `out`; else nothing."""
     path = pathlib.Path(out) / PICTURE
     results = [load.read_json(file) for file in sorted(pathlib.Path(out).glob(OF_REPORT + "-*.json"))]
     if not path.is_file() or not results:

@@ -4,15 +4,14 @@
 
 speedup.py FILE.json... --out PICTURE.pdf [--case NAME]
 
-S(n) is the time of the sequential strategy over that on n threads. U(n) is the share of the time of n
-threads for which they are busy, as measured, beside S(n) / n. A file that measures several things
-(NAME_run, NAME_step) becomes as many pictures, PICTURE-speedup_NAME.pdf and so on, unless --case
-chooses one.
+S(n) is the time of the sequential strategy over that on n threads. U(n) is the measured fraction of the
+time of n threads for which they are busy, shown beside S(n) / n. A file with several families (NAME_run,
+NAME_step) gives one picture for each, PICTURE-speedup_NAME.pdf and so on, unless --case chooses one.
 """
 import sys
 from dataclasses import dataclass
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.ticker import FixedLocator
@@ -27,8 +26,8 @@ OTHERS = {"omega_h_s2": ("omega_h, measured", "P"),
           "pragmatic_s2": ("PRAgMaTIc, measured", "X"),
           "pragmatic_utilisation": ("PRAgMaTIc, published", "1"),
           "trinity_utilisation": ("trinity, published", "2")}
-OTHERS_FAMILY = "scaling_step"  # theirs is a growing circle too, or a mesh adapted all over
-WIDE = 8  # from here on threads go on a logarithmic axis
+OTHERS_FAMILY = "scaling_step"  # their scenes are a growing circle too, or a mesh adapted everywhere
+WIDE = 8  # from this number of threads on the axis is logarithmic
 IDEAL, BOUND = (0, (4, 3)), (0, (1, 1))
 
 
@@ -45,7 +44,7 @@ class Other:
 
 @dataclass
 class Family:
-    """Everything that one picture shows."""
+    """The data of one picture."""
 
     name: str
     points: list    # measured
@@ -69,7 +68,7 @@ class Family:
         return self.thesis["values"] if self.thesis else []
 
     def others_at(self, size):
-        """Points of other programs at about this size, and those of programs that state no size."""
+        """Points of other programs at about this size, and of programs that state no size."""
         return [o for o in self.others if not o.triangles or 0.5 < o.triangles / size < 2]
 
 
@@ -103,14 +102,14 @@ def gather(bench, published):
 
 
 def draw(bench, published):
-    """A Picture for each family that has parallel rows: of whole runs first."""
+    """A Picture for each family that has parallel rows; whole runs come first."""
     return [picture(family, bench.context)
             for family in gather_runs(bench) + gather(bench, published)]
 
 
 def error(model, points):
-    """By how many percent the model's S(n) differs from the fastest measured one of the same
-    strategy, size and threads, or None where nothing was measured."""
+    """The difference in per cent of the model's S(n) from the fastest measured one of the same strategy,
+    size and threads, or None if nothing was measured."""
     fitting = [p.s for p in points if p.n == model.n and p.row.strategy == model.row.strategy
                and p.row.triangles == model.row.triangles and p.row.other == model.row.other
                and not p.row.oversubscribed]
@@ -118,8 +117,8 @@ def error(model, points):
 
 
 def amdahl(points):
-    """{label: the serial share of the work as measured with most threads}; as Amdahl's law has it,
-    S(n) is at most 1 / (share + (1 - share) / n)."""
+    """{label: the serial share of the work, measured with the most threads}; by Amdahl's law, S(n) is at
+    most 1 / (share + (1 - share) / n)."""
     return {p.label: share for p in sorted(points, key=lambda p: p.n)
             if (share := p.row.measurement.counter("serial_share")) is not None}
 
@@ -133,7 +132,7 @@ def _axes(axes, family, quantity, cores, is_over):
         axes.set_ylim(0, max([1.15] + [1.1 * p.interval[2] / p.n for p in family.points]))
     elif family.top <= WIDE:
         axes.set_ylim(0, 1.15 * max(values))
-    else:  # the ideal is a line here too
+    else:  # the ideal is a line in this panel, too
         axes.set_yscale("log", base=2)
         axes.set_ylim(0.8 * min([1.0] + [p.interval[0] for p in family.points + family.models]),
                       1.3 * max(values))
@@ -177,7 +176,7 @@ def _panel(axes, family, size, quantity, looks):
         axes.plot([n], [s / n ** power], color=style.MUTED, linestyle="none", zorder=2.6, **marks)
     lines = series.by_label(here)
     for index, (label, line) in enumerate(lines.items()):
-        # Series are shifted sideways so that markers and bars of equal height stay visible.
+        # Series are shifted sideways so that markers and bars of equal height remain visible.
         shift = 1 + (0.045 if family.top > WIDE else 0.03) * (index - (len(lines) - 1) / 2)
         style.points(axes, [(p.n * shift, [s / p.n ** power for s in p.interval], p.doubtful)
                             for p in line], *looks[label])
@@ -246,7 +245,7 @@ def picture(family, context):
 
 
 def plain(family):
-    """The largest gain that was measured with several threads and a core for each, with both times."""
+    """The largest measured gain with several threads and a core for each, with both times."""
     within = [p for p in family.points if not p.row.oversubscribed and p.n > 1]
     if not within:
         return (f"In the {series.title(family.name)}, nothing was measured with several threads and "

@@ -1,18 +1,18 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the time of a step against the number of triangles, and per interface vertex: a step that
-touches only what changed grows with the interface, one that sweeps the mesh with the triangles.
+"""Draws the time of a step against the number of triangles, and per interface vertex: the cost of a step
+that visits only changes grows with the interface, that of a sweep of the mesh with the triangles.
 
 step_cost.py FILE.json... --out PICTURE.pdf
 
-The files are results of dsc_bench with rows NAME_step; modelled ones stay out. With rows operation/NAME
-and kernel/gather_star, a dash shows what the stars and edits of a step take by themselves.
+The files are results of dsc_bench with rows NAME_step; modelled rows are left out. With rows
+operation/NAME and kernel/gather_star, a dash shows the time of the stars and edits of a step alone.
 """
 import math
 import statistics
 import sys
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 from results import load, series
 
@@ -21,8 +21,8 @@ GUIDES = ((1.0, "grows with the mesh", "-"), (0.5, "grows with its square root",
 PEER_SCENES = {"scaling_step": "speedup-scaling", "four_circles_step": "speedup-four-circles",
                "swirl_step": "swirl"}
 DOUBTFUL = "oversubscribed or under load"
-# What a step counts; the row that times one of them by itself, and its items for one: gather_star counts
-# triangles, of which there are two for each vertex.
+# Counter of a step: the row that times one such item alone, and its items for one: gather_star counts triangles, of
+# which there are two for each vertex.
 PARTS = {"examined_per_step": ("kernel", "gather_star", 2), "flips_per_step": ("operation", "edge_flip", 1),
          "splits_per_step": ("operation", "edge_split", 1),
          "collapses_per_step": ("operation", "edge_collapse", 1)}
@@ -31,8 +31,8 @@ BOUND = {"marker": "_", "markersize": 11, "markeredgewidth": 1.8}
 
 
 def chosen(found):
-    """{label: rows over sizes}: the serial strategies, and each parallel one at the largest
-    number of threads that is not oversubscribed (or its smallest, where all are)."""
+    """{label: rows over sizes}: the serial strategies, and each parallel one with the largest number of
+    threads that is not oversubscribed (or its smallest number if all are)."""
     lines = {}
     for label, line in series.by_label(found).items():
         if line[0].strategy not in series.SERIAL:
@@ -45,7 +45,7 @@ def chosen(found):
 
 
 def peers(family, published):
-    """[(name, [(triangles, microseconds a step)])] measured on other programs."""
+    """[(name, [(triangles, microseconds per step)])] of other programs."""
     found = {}
     for v in load.values(published, "peers", "official_dsc_step"):
         if v["scene"] == PEER_SCENES.get(family):
@@ -57,15 +57,15 @@ def peers(family, published):
 
 
 def per_vertex(row):
-    """Microseconds for each interface vertex, one value a repetition."""
+    """Microseconds for each interface vertex, one value for each repetition."""
     values = row.measurement.counters.get("us_per_vertex_step", [])
     vertices = row.measurement.counter("interface_vertices")
     return values or ([t / vertices for t in row.times] if vertices else [])
 
 
 def floor(bench, row):
-    """Microseconds that a step of the row takes at least, if it reads each star that it examines once
-    and does nothing else but its edits; None where a part of this was not counted or measured."""
+    """Lower bound of the microseconds of a step of the row, if it reads each examined star once and makes
+    only its edits; None if a part of this was not counted or measured."""
     total = 0
     for counter, (family, name, items) in PARTS.items():
         rates = [rate for m in bench.measurements if m.family == family and m.positions[:1] == [name]
@@ -82,7 +82,7 @@ def _sequential(lines):
 
 
 def plain(lines):
-    """How a step grows with the mesh, in the scene with the largest range of sizes."""
+    """A sentence on the growth of a step with the mesh, for the scene with the largest range of sizes."""
     found = [(family, line) for family in lines if (line := _sequential(lines[family]))]
     if not found:
         return "No step was measured on one thread."
@@ -130,8 +130,8 @@ def draw(bench, published):
 
 
 def _figure(lines, values, context, title, published, floors):
-    """A panel for each scene, narrow where it has one size only; values(row): one a repetition;
-    floors: {id of a row on one thread: its bound}."""
+    """A panel for each scene, narrow if it has only one size; values(row): one for each repetition; floors:
+    {id of a row on one thread: its bound}."""
     rows = [r for these in lines.values() for line in these.values() for r in line]
     sizes = sorted({r.triangles for r in rows})
     names = {label: line[0].label for these in lines.values() for label, line in these.items()}
@@ -147,7 +147,7 @@ def _figure(lines, values, context, title, published, floors):
     for axes, (family, these) in zip(grid[0], lines.items()):
         for label, line in these.items():
             entries = [(r.triangles, style.interval(values(r)), r.doubtful) for r in line]
-            # Sizes are a scale on which a line between two of them has a meaning.
+            # Sizes are a continuous scale, so points are joined by lines.
             axes.plot([x for x, *_ in entries], [t[1] for _, t, _ in entries],
                       color=looks[label][0], linewidth=1.2, zorder=3)
             style.points(axes, entries, *looks[label])
@@ -168,7 +168,7 @@ def _figure(lines, values, context, title, published, floors):
             axes.plot(ends, [line[0].median, line[0].median * (ends[1] / ends[0]) ** power],
                       color=style.FAINT, linewidth=1.3, linestyle=dash, zorder=1)
     bottom, ceiling = grid[0][0].get_ylim()
-    if ceiling / bottom < 10:  # a decade at least, or the logarithmic axis has no tick
+    if ceiling / bottom < 10:  # at least a decade, or the logarithmic axis has no tick
         middle = math.sqrt(bottom * ceiling)
         grid[0][0].set_ylim(middle / 3.3, middle * 3.3)
     grid[0][0].set_ylabel("time per interface vertex and step" if values is per_vertex
@@ -184,7 +184,7 @@ def _figure(lines, values, context, title, published, floors):
     style.finish(fig, title, style.caption_text(
         context, style.bars_text([len(r.times) for r in rows])
         + (" Grey: other programs, CPU time on one thread." if others else "")
-        + (" A level line: the cost grows with the interface and not with the mesh."
+        + (" A horizontal line means that the cost grows with the interface and not with the mesh."
            if values is per_vertex else " The number of interface vertices is about the square root "
            "of the number of triangles.")), handles)
     return fig

@@ -12,7 +12,7 @@ import os
 import sys
 from dataclasses import dataclass
 
-from look import script, style  # first: it says which Python has no matplotlib
+from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib import colormaps
@@ -41,20 +41,20 @@ class Division:
 
 
 def owns(region, points):
-    """For each point: whether it lies in the region."""
+    """For each point, whether it lies in the region."""
     if region.kind == "whole":
         return numpy.ones(len(points), dtype=bool)
     nx, ny = region.normal
     u = nx * points[:, 0] + ny * points[:, 1]
     w = nx * points[:, 1] - ny * points[:, 0]
     above, below = u >= region.low, u < region.high
-    # A slab may go round the ends of the mesh.
+    # A slab may wrap around the ends of the mesh.
     along = above | below if region.low > region.high else above & below
     return along & (w >= region.side_low) & (w < region.side_high)
 
 
 def owners(regions, frame):
-    """For each triangle the region that has all three vertices, or -1: it straddles a boundary."""
+    """For each triangle the region that contains all three vertices, or -1 if it straddles a boundary."""
     owner = numpy.full(len(frame.points), -1)
     for index in reversed(range(len(regions))):  # the first one wins, as in the library
         owner[owns(regions[index], frame.points)] = index
@@ -83,8 +83,8 @@ def length(frame):
 
 
 def read(folder):
-    """A Division for each run in the folder with submeshes beside its frames: of several frames
-    the one with the longest interface, where there is most work to divide."""
+    """A Division for each run in the folder with submeshes beside its frames: the frame with the longest
+    interface, which has the most work to divide."""
     result = []
     for (scene, strategy), files in load_frames.frame_files(folder).items():
         found = [(number, time, load_frames.read_frame(path), load_frames.read_submeshes(beside))
@@ -98,9 +98,9 @@ def read(folder):
 
 def plain(division):
     works = [r.work_us for r in division.colours[0]]
-    text = f"In {division.scene} the mesh is shared out among {_submeshes(division.colours[0])}"
+    text = f"In {division.scene} the mesh is divided into {_submeshes(division.colours[0])}"
     if len(works) > 1 and sum(works) > 0:
-        text += (", of which the one with most to do has "
+        text += (", of which the one with the most work has "
                  f"{max(works) * len(works) / sum(works):.2f} times the mean work")
     return text + "."
 
@@ -151,7 +151,7 @@ def _picture(division, context):
     style.finish(fig, title, style.caption_text(
         context, f"Frame {division.number}{when}, which has the longest interface of the frames with "
         f"submeshes; {style.whole(len(frame.triangles))} triangles. A triangle that straddles a "
-        "boundary is locked while its colour is at work."),
+        "boundary is locked while its colour is processed."),
         [style.key("interface", style.INTERFACE, width=1.8),
          style.square("straddles a boundary: locked", STRADDLING),
          style.key("boundary", style.INK, width=0.9)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The gallery: each figure and table of the thesis's section 10 in our own words, and ours.
+"""The gallery: each figure and table of the thesis's section 10, described in our own words, beside ours.
 
 Reading order: runs (dsc_scene and its frames), figures (what is run for which figure), layout (HTML),
 build (all of these for each figure); make.py (the command).
@@ -8,7 +8,7 @@ PART = "section.html"
 
 
 def section(out):
-    """The part of the report in the folder `out`: what make.py has written into the folder `gallery`
-    within it; nothing where it has not."""
+    """The section of the report: the page that make.py has written into the folder `gallery` in the folder
+    `out`; nothing if there is none."""
     part = out / "gallery" / PART
     return part.read_text(encoding="utf-8") if part.is_file() else ""

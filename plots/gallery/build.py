@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Runs what the table of figures names, draws it, and gives one Block for each figure."""
+"""Makes the runs of the table of figures, draws them, and returns one Block for each figure."""
 import colorsys
 
-from look import style  # first: it says which Python has no matplotlib
+from look import style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.colors import ListedColormap
@@ -14,7 +14,7 @@ from results import load, load_frames
 
 SIDE = 2.5  # inches of a frame
 NONE = "–"
-# The thesis's colours of section 10.5: red whose lightness is the value, from black to white.
+# The thesis's colours of section 10.5: shades of red, from black to white with the value.
 REDS = ListedColormap([colorsys.hls_to_rgb(0, step / 255, 1) for step in range(256)])
 
 
@@ -68,7 +68,7 @@ def drawn(row, frame, window):
     if row.look != "phases":
         values = next((v for v in frame.at_vertices.values() if v.ndim == 1), None)
         if values is None:
-            raise load.InputFault("The frames carry no value at their vertices.")
+            raise load.InputFault("The frames have no value at their vertices.")
     fills = None if values is None or shaded else REDS(values[frame.triangles].mean(axis=1).clip(0, 1))
     frames.mesh(axes, frame, SIDE, low, high, fills, values is None,
                 style.INTERFACE if values is None else style.SKY)
@@ -88,7 +88,7 @@ def webp(fig):
 
 def histogram_of(block, part, program, published, _):
     run = program.run(part.plan, (part.step,))
-    # Of the frame: the program's own bins end before the largest triangles.
+    # Areas from the frame, because the bins of the program end before the largest triangles.
     areas = frames.triangle_areas(load_frames.read_frame(run.frames[part.step]))
     counts, edges = numpy.histogram(areas, bins=60, range=(0, areas.max()))
     run.scene.histograms = [load.Histogram(run.scene.name, run.scene.strategy, "area", list(edges),
@@ -100,7 +100,7 @@ def histogram_of(block, part, program, published, _):
 
 
 def sentence(row, scene):
-    """What came out of a run."""
+    """A sentence on the result of a run."""
     text = (f"{row.label + ': ' if row.label else ''}the scene {scene.name} goes from "
             f"{style.whole(scene.value('triangles_first'))} to "
             f"{style.whole(scene.value('triangles_last'))} triangles in "
@@ -120,7 +120,7 @@ def sentence(row, scene):
 
 
 def conditions(row, scene):
-    """How a run is repeated."""
+    """A sentence with the command and the options of a run."""
     p = scene.data["parameters"]
     words = [f"h = {p['h']:g}", f"dt = {p['dt']:.4g}", str(p.get("integrator", "")),
              f"{row.insertion or p.get('insertion', '')} insertion", scene.strategy]
@@ -128,7 +128,7 @@ def conditions(row, scene):
 
 
 def rows_of(row, run, published):
-    """Rows of (what, thesis, ours, ours / thesis); none where the thesis gives no number."""
+    """Rows of (what, thesis, ours, ours / thesis); none if the thesis gives no number."""
     before = f"{row.label}: " if row.label else ""
     rows = [(f"{before}triangles at step {item['step']}", style.whole(item["triangles"]),
              style.whole(ours), style.digits(ours / item["triangles"]))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The table of the gallery: for each figure of the thesis's section 10, what we run and show.
+"""The table of the gallery: our runs and pictures for each figure of the thesis's section 10.
 
-Edge lengths are those that come nearest to the thesis's first number of triangles (translation,
-vortex, interpolation; ours changes by whole rows of triangles) or to its first edges (the swirling
-circle, of 48 by its area).
+Edge lengths are those with the number of triangles nearest to that of the thesis's first mesh
+(translation, vortex, interpolation; our number changes by whole rows of triangles) or with the
+thesis's first edges (the swirling circle, with 48 edges by its area).
 """
 from dataclasses import dataclass
 
@@ -13,10 +13,10 @@ LARGE = ("h", 0.0525)   # 858 triangles, where the thesis has 884
 VORTEX = ("h", 0.051)   # 939, where it has 903
 SMALL = ("h", 0.02)
 SWIRL = ("h", 0.0196)
-TOP = (0.4, 0.76, 0.2)  # of the circle, where a jagged edge is seen
+TOP = (0.4, 0.76, 0.2)  # at the top of the circle, where a jagged edge is visible
 LEGS = ("h", 0.01)      # thin legs need short edges
 
-# What the thesis chose where this library does otherwise by default.
+# The thesis's choices where the library's defaults differ.
 CHOICES = (("integrator", "centred"), ("insertion", "linear"), ("coarsening", "length"))
 
 
@@ -25,12 +25,12 @@ class Row:
     """Frames of one run."""
 
     plan: Plan
-    steps: tuple              # frames to be shown
-    label: str = ""           # tells rows of one figure apart
+    steps: tuple              # of the frames shown
+    label: str = ""           # distinguishes the rows of a figure
     look: str = "phases"      # phases, values (the thesis's reds) or shaded (Gouraud)
     triangles: str = ""       # the thesis's counts of triangles: an entry of the published figures
     area_ratio: str = ""      # the thesis's ratio of areas: such an entry
-    insertion: str = ""       # of a scene that has one besides those of --set
+    insertion: str = ""       # if a scene has its own instead of that of --set
     near: tuple = ()          # a close-up of the last frame: (low x, low y, width) of a square
 
 
@@ -46,11 +46,11 @@ class Histogram:
 class Figure:
     number: str               # as in the thesis
     parts: tuple = ()         # of Row and Histogram
-    see: str = ""             # where else ours are
+    see: str = ""             # where ours are, if not in the gallery
 
 
 VARYING = Plan("quality-varying", (SMALL, ("steps", 100)))
-HISTOGRAMS = "Ours are in the part \"Areas and qualities of the triangles\" of the report."
+HISTOGRAMS = "Ours are in the section \"Areas and qualities of the triangles\" of the report."
 
 
 def rotation(scene):
@@ -58,7 +58,7 @@ def rotation(scene):
 
 
 def interpolation(edge, look, steps, **more):
-    """The value rises with the radius in a straight line, as the thesis's does."""
+    """The value rises linearly with the radius, as in the thesis."""
     return Row(Plan("interpolation", (edge, ("steps", 160), ("ramp", "linear"))), steps, look=look,
                **more)
 
@@ -95,7 +95,7 @@ FIGURES = (
                          area_ratio="swirl_260_area_ratio", near=TOP))),
     Figure("10.12", (Row(Plan("swirl-zalesak", (LEGS, ("steps", 800), ("dt", 0.005))),
                          (0, 400, 800), near=(0.42, 0.14, 0.06)),)),
-    Figure("Table 10.1", see="Ours are in the part \"Several threads\" of the report, with the "
+    Figure("Table 10.1", see="Ours are in the section \"Several threads\" of the report, with the "
                              "thesis's beside them."),
     Figure("10.13", see=HISTOGRAMS),
     Figure("10.14", see=HISTOGRAMS),

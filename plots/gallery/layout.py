@@ -6,7 +6,7 @@ from page import document as page
 
 IMAGE = ("display:block;width:100%;height:auto;padding:.5rem;background:#fff;"
          "border:1px solid var(--line);border-radius:8px")
-# On a narrow screen a wide picture keeps a size at which its words can be read, and is scrolled.
+# On a narrow screen a wide picture keeps a readable size and is scrolled.
 WIDE = "min-width:40rem;"
 GRID = ("display:grid;grid-template-columns:repeat(auto-fill,minmax(min(13rem,45%),1fr));"
         "gap:1rem 1.2rem;align-items:start;margin:1rem 0")
@@ -17,7 +17,7 @@ class Picture:
     name: str           # of the file beside the page
     data: bytes         # WebP
     sentence: str       # also the alternative text
-    row: str = ""       # pictures of one row stand together
+    row: str = ""       # pictures of one row are side by side
     is_wide: bool = False
 
 
@@ -27,9 +27,9 @@ class Block:
 
     number: str
     title: str
-    shows: str          # the thesis's, in our words
+    shows: str          # the thesis's figure, in our words
     source: str
-    ours: list          # sentences: what came out
+    ours: list          # sentences on our results
     notes: list = field(default_factory=list)     # sentences: conditions
     pictures: list = field(default_factory=list)
     rows: list = field(default_factory=list)      # of (what, thesis, ours, ratio)

@@ -4,7 +4,7 @@
 
 make.py --scene build/release/lib/scenes/dsc_scene --out DIR
 
-Everything is run anew, in less than a minute of CPU time. Exit 1: a run failed.
+All runs are made again, in less than a minute of CPU time. Exit 1: a run failed.
 """
 import os
 import pathlib
@@ -33,7 +33,7 @@ def write(scene, out):
     parts = [layout.block_html(block) for block in blocks]
     whole = page.document(
         "The thesis's figures, and ours", "Each figure and table of section 10 of the thesis in "
-        "our own words, and what this library makes of the same experiment.", "",
+        "our own words, and the same experiment with this library.", "",
         [(f"figure-{block.number.replace(' ', '-')}", block.number, part)
          for block, part in zip(blocks, parts)])
     for name, text in (("gallery.html", whole), (gallery.PART, "".join(parts))):
@@ -44,7 +44,7 @@ def write(scene, out):
 def main(argv=None):
     words = script.parser(__doc__)
     words.add_argument("--scene", required=True, metavar="FILE", help="the program dsc_scene")
-    words.add_argument("--out", required=True, metavar="DIR", help="where the gallery goes")
+    words.add_argument("--out", required=True, metavar="DIR", help="folder for the gallery")
     given = words.parse_args(argv)
     failures = []
     status = script.attempt(words.prog, lambda: failures.extend(write(given.scene, given.out)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs scenes with dsc_scene and keeps what they wrote: result, counts of each step, frames."""
+"""Runs scenes with dsc_scene and keeps their output: result, counts of each step, frames."""
 import csv
 import math
 import pathlib
@@ -13,7 +13,7 @@ TIME_LIMIT = 120  # seconds that one run may take
 
 @dataclass(frozen=True)
 class Plan:
-    """What is run. Equal plans are run once."""
+    """The settings of a run. Equal plans are run once."""
 
     scene: str
     settings: tuple = ()    # of (key, value), given by --set
@@ -25,10 +25,10 @@ class Plan:
 
 @dataclass
 class Run:
-    """What a run wrote."""
+    """The output of a run."""
 
     scene: load.Scene
-    counts: dict = field(default_factory=dict)  # {step: triangles after it}, at the steps asked for
+    counts: dict = field(default_factory=dict)  # {step: triangles after it}, for the requested steps
     frames: dict = field(default_factory=dict)  # {step: path}
 
 
@@ -41,7 +41,7 @@ class Program:
             raise load.InputFault(f"{self.path} lists no scenes: it is not dsc_scene.")
 
     def run(self, plan, steps=()):
-        """The Run of a plan, with frames at the steps. Throws InputFault where there is none."""
+        """The Run of a plan, with frames at the steps. Raises InputFault if the run fails."""
         key = plan, steps
         if key not in self._kept:
             self._kept[key] = self._run(plan, steps)

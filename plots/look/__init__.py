@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What all pictures share: palette, markers, layout, saving. A script that is run by a Python without
-matplotlib ends here, with one sentence."""
+"""Common parts of all pictures: palette, markers, layout, saving. A script run by a Python without
+matplotlib ends here with one sentence."""
 import os
 import sys
 

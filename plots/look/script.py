@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What every script that draws does: it reads files, draws, saves, and prints what the pictures say.
-A file that cannot be used is one sentence on the error stream."""
+"""The common part of all scripts: reads files, draws, saves, and prints the sentences of the pictures.
+A file that cannot be used gives one sentence on the error stream."""
 import argparse
 import sys
 
@@ -12,7 +12,7 @@ NOTE = "Exit 0 done; 2 bad usage or a file that cannot be used, with one sentenc
 
 
 def parser(doc):
-    """For a script whose docstring begins with what it does and how it is called."""
+    """An argument parser from the script's docstring, which begins with its purpose and usage."""
     what, call, *more = doc.strip().split("\n\n")
     return argparse.ArgumentParser(
         prog=call.split()[0], usage=call, description=what, epilog="\n\n".join([*more, NOTE]),
@@ -30,8 +30,8 @@ def attempt(name, work):
 
 
 def main(doc, draw, argv=None, **options):
-    """Saves the Pictures that draw(given) makes of given.files: into given.out, or into a file for
-    each, if they are several. options: {name: keywords of argparse} of the script's own."""
+    """Saves the Pictures of draw(given), made from given.files, to given.out, or to one file each if there
+    are several. options: {name: keywords of argparse} of the script."""
     words = parser(doc)
     words.add_argument("files", nargs="+", metavar="FILE")
     words.add_argument("--out", required=True, metavar="PICTURE", help="png, svg or pdf")
@@ -46,7 +46,7 @@ def main(doc, draw, argv=None, **options):
                              f"{style.listing('.' + name for name in FORMATS)} are allowed.")
         pictures = list(draw(given))
         if not pictures:
-            raise InputFault(f"{given.files[0]} has nothing that this picture shows.")
+            raise InputFault(f"{given.files[0]} has nothing to draw in this picture.")
         for picture in pictures:
             name = stem if len(pictures) == 1 else f"{stem}-{picture.name}"
             style.save(picture.figure, name, [form])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The common look of all pictures: palette, markers, layout bands, caption and saving.
 
-Colours are those of Okabe and Ito ("Color universal design", 2008), and every strategy has a
-marker of its own besides, so that no picture depends on colour alone.
+Colours are those of Okabe and Ito ("Color universal design", 2008). Every strategy also has its own
+marker, so that no picture depends on colour alone.
 """
 import io
 import math
@@ -27,7 +27,7 @@ SHADE = "#F1F4F6"
 
 BLACK, ORANGE, SKY, GREEN = "#000000", "#E69F00", "#56B4E9", "#009E73"
 BLUE, VERMILLION, PURPLE = "#0072B2", "#D55E00", "#CC79A7"
-# Lines in the palette's yellow (#F0E442) cannot be seen on white; this is a darker one.
+# Lines in the palette's yellow (#F0E442) are hardly visible on white; this yellow is darker.
 DARK_YELLOW = "#A89400"
 
 # strategy -> (colour, marker); the order is the order of legends and tables.
@@ -48,8 +48,8 @@ INTERFACE = "#C24E00"
 EDGE = "#93A1AC"
 
 PNG_DPI = 120
-MESH_DPI = 160      # of what has no vector format beside it
-RASTER_DPI = 220    # of what is an image inside vector formats
+MESH_DPI = 160      # of pictures without a vector format
+RASTER_DPI = 220    # of images inside vector formats
 PAGE_WIDTH = 1020   # pixels of a mesh: as wide as a page
 MESH_QUALITY = 50   # of 100
 UNDATED = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}  # formats that carry a date
@@ -65,7 +65,7 @@ class Picture:
     figure: object
     header: list = field(default_factory=list)
     rows: list = field(default_factory=list)
-    is_mesh: bool = False  # of so many triangles that a vector format would be tens of megabytes
+    is_mesh: bool = False  # too many triangles for a vector format, which would be tens of megabytes
 
 
 def apply():
@@ -110,22 +110,22 @@ def apply():
 
 
 def look(name, known=STRATEGIES):
-    """Colour and marker of a strategy, or of what else is known; others get a spare pair."""
+    """Colour and marker of a strategy or another known name; unknown names get a spare pair."""
     return known.get(name) or SPARE[sum(name.encode()) % len(SPARE)]
 
 
 def order(name, known=tuple(STRATEGIES)):
-    """Sorting key: strategies, or what else is known, in the order given, then others by name."""
+    """Sorting key: known names in the given order, then others by name."""
     return (known.index(name) if name in known else len(known), name)
 
 
-DASHED = (0, (3.5, 2))  # what was modelled and not measured
+DASHED = (0, (3.5, 2))  # for modelled, not measured, points
 SHORT_DASHES = (0, (2.5, 1.5))
 DOTTED = (0, (1, 1.5))
 
 
 def hollow(colour):
-    """Marker keywords of a point that was modelled and not measured."""
+    """Marker keywords of a modelled, not measured, point."""
     return {"markerfacecolor": "white", "markeredgecolor": colour, "markeredgewidth": 1.3}
 
 
@@ -161,8 +161,8 @@ def square(label, colour):
 
 
 def interval(values):
-    """(low, median, high) with the 95 % interval of the median by ranks, whatever the distribution
-    (Hoefler and Belli 2015); fewer than six values have none, and all of them are spanned."""
+    """(low, median, high) with the 95 % interval of the median by ranks, for any distribution (Hoefler and
+    Belli 2015); fewer than six values have no such interval, and the range is given."""
     ordered, count = sorted(values), len(values)
     chances = accumulate(math.comb(count, rank) / 2 ** count for rank in range(count))
     cut = max(sum(chance <= 0.025 for chance in chances) - 1, 0)
@@ -170,7 +170,7 @@ def interval(values):
 
 
 def bars_text(counts):
-    """What the bars of medians of so many values are."""
+    """A sentence on the bars of medians of this number of values."""
     few = min(counts)
     if few >= 6:
         return "Medians; bars: their 95 % intervals by ranks."
@@ -179,8 +179,8 @@ def bars_text(counts):
 
 
 def points(axes, entries, colour, marker, **more):
-    """entries: [(x, (low, middle, high), whether it is doubtful)]. Markers with bars, and no line:
-    nothing is known between two measurements."""
+    """entries: [(x, (low, middle, high), whether it is doubtful)]. Markers with bars and without a line,
+    because nothing is known between two measurements."""
     for x, (low, middle, high), is_doubtful in entries:
         axes.errorbar([x], [middle], yerr=[[middle - low], [high - middle]], fmt="none",
                       ecolor=colour, elinewidth=1, capsize=2.5, zorder=3.2)
@@ -196,10 +196,10 @@ def figure(width, height, rows=1, columns=1, **keywords):
 
 
 def caption_text(context, conditions=""):
-    """Machine, commit and conditions of a result, as far as they are known."""
+    """Machine, commit and conditions of a result, as far as known."""
     parts = []
     if context is not None:
-        cores = 0 if "core" in context.machine else context.cores  # said once
+        cores = 0 if "core" in context.machine else context.cores  # the machine already includes it
         parts = [context.machine, cores and counted(cores, "core"),
                  context.load and f"other load {context.load}", context.compiler,
                  context.build_type, context.commit and f"commit {context.commit[:12]}",
@@ -211,10 +211,9 @@ def caption_text(context, conditions=""):
 
 
 def _columns(labels, width):
-    """As many legend columns as fit, but not more than needed for the least number of rows.
-
-    A legend fills column by column, and its first columns take one entry more where the entries
-    do not divide.
+    """As many legend columns as fit, but not more than needed for the smallest number of rows.
+    A legend is filled column by column; the first columns have one entry more if the entries
+    do not divide evenly.
     """
     for count in range(len(labels), 1, -1):
         if count != math.ceil(len(labels) / math.ceil(len(labels) / count)):
@@ -233,7 +232,7 @@ def finish(fig, title, caption, handles=()):
     """Title and legend in a band above the axes, caption in a band below; sizes in inches."""
     width, height = fig.get_size_inches()
     left = 0.12 / width
-    # What is too long for the figure goes on in the next line.
+    # Captions that are too long for the figure are wrapped.
     lines = [part.strip(" ·") for line in caption.split("\n")
              for part in textwrap.wrap(line, int(width * 18), break_on_hyphens=False)]
     bottom = 0.16 + 0.165 * len(lines)
@@ -255,8 +254,8 @@ def finish(fig, title, caption, handles=()):
 
 
 def settle(fig):
-    """Lays the figure out once for all formats, to a millionth of its size: the last digits of
-    what the layout's solver finds hang on addresses in memory, and would get into the files."""
+    """Lays the figure out once for all formats, rounded to a millionth of its size: the last digits of
+    the layout's solver depend on memory addresses and would change the files."""
     fig.draw_without_rendering()
     fig.set_layout_engine("none")
     for axes in fig.axes:
@@ -270,8 +269,8 @@ def png_bytes(fig, is_mesh=False):
 
 
 def for_page(png, is_mesh):
-    """(bytes, (width, height)): the picture as WebP. Flat drawings are smallest without loss and at
-    the size at which they were drawn, meshes of many triangles are not."""
+    """(bytes, (width, height)): the picture as WebP. Flat drawings are smallest lossless and at their
+    original size; meshes of many triangles are smaller scaled and lossy."""
     image = Image.open(io.BytesIO(png)).convert("RGB")
     if is_mesh and image.width > PAGE_WIDTH:
         height = round(image.height * PAGE_WIDTH / image.width)
@@ -283,8 +282,8 @@ def for_page(png, is_mesh):
 
 
 def write_bytes(path, data):
-    """Writes to a name of its own and renames, so that nobody ever reads half a file: where links
-    lead. A device or a pipe is written to."""
+    """Writes a file atomically: to a temporary name, which is renamed. Follows links; a device or a pipe is
+    written to directly."""
     if os.path.exists(path) and not os.path.isfile(path):
         with open(path, "wb") as stream:
             stream.write(data)
@@ -302,7 +301,7 @@ def write_bytes(path, data):
 
 
 def few_colours(png):
-    """The PNG with a palette, which is a third of its size."""
+    """The PNG with a palette, which has a third of the size."""
     buffer = io.BytesIO()
     Image.open(io.BytesIO(png)).convert("RGB").quantize(
         256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
@@ -311,8 +310,8 @@ def few_colours(png):
 
 
 def save(fig, stem, formats, is_mesh=False, shown=False):
-    """Writes the figure into stem.FORMAT for every format and closes it; returns it as PNG with all
-    its colours where it is to be shown."""
+    """Writes the figure to stem.FORMAT for every format and closes it; returns it as PNG with all colours
+    if it is to be shown."""
     settle(fig)
     full = png_bytes(fig, is_mesh) if shown or "png" in formats else None
     for form in formats:
@@ -348,7 +347,7 @@ def digits(value, count=3):
 
 
 def duration(microseconds):
-    """A duration in the unit that suits it."""
+    """A duration in a suitable unit."""
     for limit, scale, unit in ((1, 1e3, "ns"), (1e3, 1, "µs"), (1e6, 1e-3, "ms")):
         if microseconds < limit:
             return f"{digits(microseconds * scale)} {unit}"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What the project was made to show, on one table: how far each scene of the gate is from the exact
-shape, its parallel runs from the sequential one, and the library from the literal method, each beside
-the band that it may be in; and what threads bring."""
+"""The main comparisons in tables: for each scene of the gate, the differences from the exact shape,
+between parallel and sequential runs, and between the library and the literal method, each beside its
+limit; and the speed-up of threads."""
 from look import style
 from page import document as page
 from results import load, series
@@ -10,7 +10,7 @@ EXACT = (("area ratio, off 1", ("area_ratio", "accuracy_area")),
          ("symmetric difference", ("symmetric_difference", "accuracy")))
 MESH = (("area", "area"), ("areas of triangles", "area_histogram"),
         ("qualities", "quality_histogram"), ("worst quality", "min_quality"))
-# {title: columns of (title, checks in the order in which they are looked for)}
+# {title: columns of (title, checks; the first one found is shown)}
 PARTS = {"Against the exact shape": EXACT,
          "Each strategy against the sequential run":
              tuple((title, ("parallel_" + name,)) for title, name in MESH),
@@ -28,7 +28,7 @@ def _cell(check):
 
 
 def _table(title, columns, checks):
-    """A row for each scene that one of the columns has a figure of."""
+    """A row for each scene with a figure in one of the columns."""
     found = {(c["check"], c["scene"]): c for c in checks}
     rows, classes = [], {}
     for scene in dict.fromkeys(c["scene"] for c in checks):
@@ -49,7 +49,7 @@ def _table(title, columns, checks):
 
 
 def _threads(bench):
-    """S(n) and U(n) of whole runs without other work, by strategy and size."""
+    """S(n) and U(n) of whole runs without other work between steps, by strategy and size."""
     rows = []
     for p in sorted(series.undisturbed(bench), key=lambda p: (
             p.row.family, p.row.triangles, p.row.strategy, p.n)):
@@ -64,7 +64,7 @@ def _threads(bench):
 
 
 def section(results):
-    """The tables as HTML; nothing where neither the gate nor the benchmarks were run."""
+    """The tables as HTML; nothing if neither the gate nor the benchmarks were run."""
     checks = results["verify"].checks if results["verify"] else []
     return "".join(_table(title, columns, checks) for title, columns in PARTS.items()) \
         + _threads(results["bench"])

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What stands on the page and in which order: what was found, then what is shown, then what can be
-looked up, which is folded."""
+"""The contents of the page in order: findings, then pictures, then reference sections, which are
+folded."""
 import pathlib
 from functools import partial
 
-from look import style  # first: it says which Python has no matplotlib
+from look import style  # first: reports a Python without matplotlib
 
 import breakdown
 import convergence
@@ -22,7 +22,7 @@ import submeshes
 from page import comparison, document as page, findings, hard_cases, tables, verdicts
 from results import precision_data
 
-FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes that are shown before others
+FIRST = ("swirl", "drop-and-pool", "grains")  # the meshes shown first
 
 
 def tasks(results):
@@ -43,7 +43,7 @@ def tasks(results):
     found.append(("convergence", partial(convergence.draw, errors)))
     found += [("submeshes", partial(submeshes.draw, [one], drawn_by))
               for one in results["divided"]]
-    # The others are in the results of the runs: three pictures for each scene would say little more.
+    # Only these: three pictures for each scene would add little; the numbers are in the results.
     found.append(("histograms", partial(histograms.draw, results["scenes"], results["verify"],
                                         published, context(results, of_meshes=True),
                                         histograms.SHOWN)))
@@ -51,7 +51,7 @@ def tasks(results):
 
 
 def context(results, of_meshes=False):
-    """The machine that measured: that of the benchmarks, or of what else there is."""
+    """The machine of the benchmarks, or of another result."""
     bench, verify = results["bench"], results["verify"]
     if bench and not of_meshes:
         return bench.context
@@ -74,8 +74,8 @@ def _no_frames(results):
 
 
 def build(results, drawn, out):
-    """The sections of the page, in order: (identifier, title, HTML, lead); those with a lead are
-    folded, others have None."""
+    """The sections of the page in order: (identifier, title, HTML, lead); sections with a lead are
+    folded, the others have None."""
     bench, published, verify = results["bench"], results["published"], results["verify"]
     scenes, hard = results["scenes"], results["hard"]
 
@@ -101,16 +101,16 @@ def build(results, drawn, out):
         ("precision", "Error against time", None,
          pictures("precision", 1) + pictures("convergence"),
          "Errors against times (dsc_precision) were not measured."),
-        ("gate", "The gate", "every figure that is held to a limit",
+        ("gate", "The gate", "all figures with limits",
          tables.gate(verify) if verify else "", "The gate (dsc_verify) was not run."),
         ("scenes", "Scenes", "what each run measured",
          tables.scenes(scenes, published) if scenes else "", "The scenes were not run."),
-        ("hard", "Hard cases", "what happens far outside of ordinary use",
+        ("hard", "Hard cases", "extreme input",
          hard_cases.table(hard) if hard else "", "The hard cases (dsc_hard) were not run."
          if hard is None else "The list of hard cases is empty, so it proves nothing."),
-        ("breakdown", "Where the time of a step goes", "on one thread, and modelled on more",
+        ("breakdown", "The parts of the time of a step", "on one thread, and modelled on more",
          pictures("breakdown"), _no_bench(bench)),
-        ("granularity", "How much work threads need", "to pay for themselves",
+        ("granularity", "How much work threads need", "to pay off",
          pictures("granularity"), _no_bench(bench)),
         ("submeshes", "Submeshes", "how the mesh is divided among threads",
          pictures("submeshes"), _no_frames(results)),

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The parts of an HTML page that needs nothing besides itself: words, tables that sort, pictures.
-
-Every function returns HTML; texts are escaped here and nowhere else.
+"""The parts of a self-contained HTML page: texts, sortable tables, pictures.
+Every function returns HTML; texts are escaped only here.
 """
 import base64
 import html
@@ -30,7 +29,7 @@ def listed(sentences, kind):
 
 
 def value_of(text):
-    """The number by which a cell sorts, in one unit for all durations; None if it has none."""
+    """The number by which a cell is sorted, in the same unit for all durations; None if it has none."""
     found = NUMBER.fullmatch(text)
     if not found:
         return None
@@ -39,16 +38,15 @@ def value_of(text):
 
 
 def _values(cells):
-    """The values of a column, or None where it does not consist of numbers."""
+    """The values of a column, or None if it does not consist of numbers."""
     values = [value_of(text) for text in cells]
     missing = [text for text, value in zip(cells, values) if value is None]
     return values if len(missing) < len(cells) and set(missing) <= set(NOTHING) else None
 
 
 def table(header, rows, classes=None, name="table"):
-    """A table whose columns sort; columns of numbers are set flush right.
-
-    classes: {(row, column): CSS class}; name: what a reader is told who cannot see it.
+    """A sortable table; columns of numbers are right-aligned.
+    classes: {(row, column): CSS class}; name: the label for screen readers.
     """
     classes = classes or {}
     cells = [[str(cell) for cell in row] for row in rows]
@@ -87,12 +85,12 @@ def link(path, text):
 
 
 def inline(webp):
-    """The address of an image that the page holds itself."""
+    """The data URL of an embedded image."""
     return "data:image/webp;base64," + base64.b64encode(webp).decode("ascii")
 
 
 def figure(drawn):
-    """A picture, embedded, with its sentence; its numbers and files folded."""
+    """An embedded picture with its sentence; its numbers and files are folded."""
     picture, (width, height) = drawn.picture, drawn.size
     title = escape(picture.title)
     sentence = style.capital(picture.sentence)  # some begin with a scene's name
@@ -114,7 +112,7 @@ def facts(pairs):
 
 
 def _section(identifier, title, inside, lead=None):
-    """Where a lead says what is in it, the section is folded until somebody wants to know."""
+    """A section, folded if it has a lead, which says what is in it."""
     if lead is None:
         return f'<section id="{identifier}"><h2>{escape(title)}</h2>\n{inside}</section>\n'
     return (f'<details class="part" id="{identifier}"><summary>{escape(title)} '
@@ -127,7 +125,7 @@ def _beside(name):
 
 
 def document(title, lead, head, sections):
-    """sections: [(identifier, title, html)], with a lead as the fourth for those that are folded."""
+    """sections: [(identifier, title, html)], with a lead as the fourth entry for folded ones."""
     links = "".join(f'<a href="#{i}">{escape(t)}</a>' for i, t, *_ in sections)
     body = "".join(_section(*words) for words in sections)
     return ('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of all sections, several at a time, and keeps of each what the page needs."""
+"""Draws the pictures of all sections, several at a time, and keeps the data that the page needs."""
 import multiprocessing
 import os
 from dataclasses import dataclass, replace
@@ -17,11 +17,11 @@ class Drawn:
     files: tuple  # names beside the page
 
 
-_work = []  # of draw_all while it runs: what its processes inherit
+_work = []  # tasks of draw_all while it runs, inherited by its processes
 
 
 def _draw(index):
-    """Pictures are drawn and saved one by one, so that no figure is open when the next is begun."""
+    """Draws and saves pictures one by one, so that at most one figure is open."""
     draw, out, formats = _work[index]
     result = []
     for picture in draw():
@@ -34,8 +34,8 @@ def _draw(index):
 
 
 def draw_all(tasks, out, formats, jobs):
-    """tasks: [(section, function without arguments that gives Pictures)]; the result is
-    {section: [Drawn]} in the order of the tasks, whatever the number of jobs."""
+    """tasks: [(section, function without arguments that returns Pictures)]; the result is
+    {section: [Drawn]} in the order of the tasks, for any number of jobs."""
     found = {}
     _work[:] = [(draw, out, formats) for _, draw in tasks]
     try:

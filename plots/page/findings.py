@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What was found: five sentences for a reader in a hurry, each from the figures that were measured;
-one that has nothing to say says what was not measured."""
+"""The findings: five sentences, each computed from the measured figures; without figures, the sentence
+says what was not measured."""
 from look import style
 from results import load, series
 
@@ -12,7 +12,7 @@ def sentences(results):
 
 
 def lost(scene):
-    """Triangles turned over and vertices that did not arrive."""
+    """Inverted triangles and vertices that did not arrive."""
     return (scene.value("inverted") or 0) + (scene.value("unreached") or 0)
 
 
@@ -23,9 +23,9 @@ def meshes(scenes):
     runs = style.counted(len(scenes), "run")
     names = style.counted(len({s.name for s in scenes}), "scene")
     if not bad:
-        return (f"In {runs} of {names} no triangle was turned over, and every vertex of an "
-                "interface arrived where the flow takes it.")
-    return (f"In {sum(lost(s) > 0 for s in scenes)} of {runs} triangles were turned over or "
+        return (f"In {runs} of {names} no triangle was inverted, and every interface vertex "
+                "arrived at its target.")
+    return (f"In {sum(lost(s) > 0 for s in scenes)} of {runs} triangles were inverted or "
             f"vertices did not arrive: {style.listing(bad)}.")
 
 
@@ -47,13 +47,13 @@ def percent(ratio):
 
 
 def shape(scenes, published):
-    """The swirl, which is the scene that this method is usually shown by; else any other."""
+    """The swirl, the usual scene for this method."""
     swirls = [s for s in scenes if s.name == "swirl" and s.strategy == "sequential"
               and s.value("area_ratio") and s.value("sd_rel_last") is not None]
     if not swirls:
-        return "The swirl was not run, so this report says nothing about how well shapes are kept."
+        return "The swirl was not run, so this report says nothing about the accuracy of shapes."
     run = min(swirls, key=lambda s: s.parameter("h"))
-    text = ("A disc that a swirl draws out into a long spiral and winds up again ends with "
+    text = ("A disc that a swirl stretches to a long spiral and winds up again ends with "
             f"{percent(run.value('area_ratio'))} area than it had, and "
             f"{style.digits(100 * run.value('sd_rel_last'), 2)} % of it in the wrong place")
     theirs = thesis_ratio(run, published)
@@ -63,7 +63,7 @@ def shape(scenes, published):
 
 
 def step(bench):
-    """The thesis's own measurement, the growing circle."""
+    """The growing circle, as measured in the thesis."""
     found = [r for r in series.rows(bench) if r.family == "scaling_step"] if bench else []
     mine = {r.triangles: r for r in found if r.strategy == "sequential"}
     if not mine:
@@ -74,14 +74,14 @@ def step(bench):
             f"{style.duration(mine[size].median)} on one thread")
     if literal:
         factor = literal[0].median / mine[size].median
-        text += (f"; the thesis's method, written down literally, takes "
+        text += (f"; a literal implementation of the thesis's method takes "
                  f"{style.duration(literal[0].median)}, {style.digits(factor)} times as long")
     return text + _doubt(mine[size].doubtful) + "."
 
 
 def threads(bench, published):
-    """The growing circle as an application runs it, from the first step to the last and without
-    other work between the steps; what warm steps gain is in the pictures alone."""
+    """The growing circle as in an application, all steps without other work between them; the gain of
+    warm steps is only in the pictures."""
     points = [p for p in series.undisturbed(bench) if p.n > 1 and p.row.family == "scaling_run"]
     if not points:
         return "No whole run was measured with more than one thread and a core for each."
@@ -106,7 +106,7 @@ def _doubt(is_doubtful):
 
 def limits(verify):
     if not verify or not verify.checks:
-        return "The gate was not run, so nothing was compared with the limits that hold a release."
+        return "The gate was not run, so nothing was compared with the limits of a release."
     failed = [c for c in verify.checks if not load.passed(c)]
     if failed:
         names = sorted({f"{c['check']} ({c['scene'] or 'all'})" for c in failed})

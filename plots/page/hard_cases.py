@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table of hard cases: what was asked, what was measured, and what happened."""
+"""The table of hard cases: input, measured figures, and result."""
 from look import style
 from page import document as page
 from page.verdicts import show
@@ -21,8 +21,8 @@ def read(path):
 
 
 def _measured(case):
-    """'inverted 0, unreached 0, sub-steps 12': whatever else a case states, in its own order.
-    Counts of zero are left out, except those that must be zero."""
+    """'inverted 0, unreached 0, sub-steps 12': the other figures of a case, in its order. Counts of zero
+    are left out, except those that must be zero."""
     values = {k: v for k, v in case.items() if k not in FIXED + ("values", "error_is", "seconds")
               and not isinstance(v, (dict, list))
               and (k in ALWAYS or (v not in (None, "") and v != 0))}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables sort by the button in a column's head, and a link into a folded part opens it.
+// Sorts tables by the button in a column's head, and opens a folded part when a link leads into it.
 "use strict";
 
 function valueOf(row, column) {

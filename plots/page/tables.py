@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The tables of the report that belong to no picture: checks of the gate, runs of scenes, published
-figures, refused benchmarks, files."""
+"""The tables of the report without a picture: checks of the gate, runs of scenes, published figures,
+refused benchmarks, files."""
 import os
 
 from look import style
@@ -11,9 +11,9 @@ from results import load
 
 
 def gate(verify):
-    """Every check that was run, and the names of those that were not."""
+    """All checks that were run, and the names of those that were not."""
     if not verify.checks:
-        return page.paragraph("The report of the gate contains no check, so it proves nothing.")
+        return page.paragraph("The report of the gate contains no checks, so it proves nothing.")
     rows = [[c["check"], c["scene"] or "–", show(c["measured"]), show(c["limit"]),
              c.get("unit") or "", ("✓ " if load.passed(c) else "✗ ") + c["verdict"]]
             for c in verify.checks]
@@ -26,7 +26,7 @@ def gate(verify):
 
 
 def scenes(runs, published):
-    """What every run of a scene measured, with the thesis's area ratio beside ours."""
+    """The figures of all runs of scenes, with the thesis's area ratio beside ours."""
     rows = []
     for s in sorted(runs, key=lambda s: (s.name, style.order(s.strategy), s.path)):
         ratio, theirs = s.value("area_ratio"), thesis_ratio(s, published)
@@ -60,7 +60,7 @@ def refusals(bench):
 
 
 def files(paths, out):
-    """Links to the result files that lie in the folder of the page, and the names of the others."""
+    """Links to the result files in the folder of the page, and the names of the others."""
     inside, outside = [], []
     for path in paths:
         name = os.path.relpath(path, out)

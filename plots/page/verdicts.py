@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The one table of verdicts at the top of the report: a row for each thing that is held to
-something, with the worst of its figures; what failed comes first, what was not run last."""
+"""The table of verdicts at the top of the report: a row for each kind of limit with its worst figure;
+failures come first, checks that were not run last."""
 from look import style
 from page.findings import lost
 from results import load, precision_data
 
 PASS, FAIL, OPEN = "✓ pass", "✗ fail", "not run"
 CLASSES = {PASS: "good", FAIL: "bad", OPEN: "open"}
-HEADER = ["verdict", "what", "worst result", "held to"]
+HEADER = ["verdict", "what", "worst result", "limit"]
 
 
 def verdicts(results):
-    """(header, rows, classes) of the one table."""
+    """(header, rows, classes) of the table."""
     rows = [_scene_row(results["scenes"])] + _gate_rows(results["verify"]) + [
         _bench_row(results["bench"]), _precision_row(results["precision"]),
         _hard_row(results["hard"])] + _gate_not_run(results["verify"])
@@ -29,7 +29,7 @@ def _not_run(what):
 
 
 def _scene_row(scenes):
-    what = "No triangle turned over and every vertex at its target, in all runs of scenes"
+    what = "No triangle inverted and every vertex at its target, in all runs of scenes"
     if not scenes:
         return _not_run(what)
     bad = sum(lost(s) for s in scenes)
@@ -37,7 +37,7 @@ def _scene_row(scenes):
 
 
 def _share(check):
-    """How much of its limit a check takes up: 1 is all of it; a broken one comes first."""
+    """The sorting key of a check: the fraction of its limit that it uses; broken limits come first."""
     value, limit = check["measured"], check["limit"]
     if not load.passed(check) or not isinstance(value, (int, float)) or isinstance(value, bool):
         return (not load.passed(check), 0.0)
@@ -72,7 +72,7 @@ def _gate_rows(verify):
 
 def _gate_not_run(verify):
     if not verify or not verify.checks:
-        return [_not_run("The limits that hold a release (dsc_verify run)")]
+        return [_not_run("The limits of a release (dsc_verify run)")]
     names = [c["check"].replace("_", " ") for c in verify.not_run]
     return [_not_run("Further checks of the gate: " + style.listing(names))] if names else []
 

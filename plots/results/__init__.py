@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Readers of result files: every fault of a file is one sentence."""
+"""Readers of result files; errors of files are one sentence each."""

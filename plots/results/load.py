@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads result files into plain records. What is wrong with a bad file is said in one sentence.
+"""Reads result files into plain records. An error of a file is one sentence.
 
 Google Benchmark's JSON (a name is FAMILY/key:value/...; unknown parts are ignored), the JSON of
 dsc_scene and dsc_verify, and the published figures. Frames are read by load_frames.py.
@@ -12,12 +12,12 @@ from dataclasses import dataclass, field
 
 
 class InputFault(Exception):
-    """A result that cannot be used or made; its text is one sentence for the user."""
+    """A result that cannot be read or made; its text is one sentence for the user."""
 
 
 @dataclass(frozen=True)
 class Context:
-    """What a result says about where it comes from, as far as it is known."""
+    """The origin of a result, as far as known."""
 
     machine: str = ""
     commit: str = ""
@@ -31,7 +31,7 @@ class Context:
 
 
 def context_of(result):
-    """The Context of a program's own result."""
+    """The Context of a result of a program."""
     return Context(*(str(result.get(key) or "") for key in ("machine", "commit")))
 
 
@@ -63,7 +63,7 @@ class Measurement:
         return self.params.get("strategy", "")
 
     def step_us(self):
-        """Microseconds per step, one value a repetition: the counter, or the time itself."""
+        """Microseconds per step, one value for each repetition: the counter, or the time itself."""
         values = self.counters.get("us_per_step", [])
         return values if len(values) == len(self.times_ns) else [t / 1e3 for t in self.times_ns]
 
@@ -90,7 +90,7 @@ def read_text(path):
 
 
 def read_json(path, kind=dict):
-    """The JSON object, or the one of another kind, in a file."""
+    """The JSON object, or a value of another given type, in a file."""
     try:
         data = json.loads(read_text(path))
     except json.JSONDecodeError as fault:
@@ -122,7 +122,7 @@ def need(data, key, path, kind=None, where=""):
 
 
 def listed(data, key, path, kind=list):
-    """data[key], checked; an empty list, or what else is expected, where there is none."""
+    """data[key], checked; an empty list, or an empty value of another type, if it is missing."""
     return kind() if data.get(key) is None else need(data, key, path, kind)
 
 
@@ -193,7 +193,7 @@ def read_bench(paths):
             if run not in measurements:
                 measurements[run] = Measurement(run, *split_name(run))
             target = measurements[run]
-            # The aggregate serves only where the repetitions themselves were not written.
+            # Aggregates are used only if the repetitions were not written.
             for time, values in kinds.get(False) or kinds[True]:
                 target.times_ns.append(time)
                 for key, value in values.items():
@@ -265,7 +265,7 @@ class Verify:
     context: Context
     checks: list
     histograms: list
-    not_run: list  # checks that the gate has and was not asked for: {check, description, scenes}
+    not_run: list  # checks of the gate that were not requested: {check, description, scenes}
 
 
 def passed(check):
@@ -322,10 +322,10 @@ def read_published(folder):
 
 
 def entry(published, file, identifier):
-    """An entry of the published figures, or None where it is missing."""
+    """An entry of the published figures, or None if it is missing."""
     return published.get(file, {}).get("entries", {}).get(identifier)
 
 
 def values(published, file, identifier):
-    """The values of such an entry; none where it is missing."""
+    """The values of such an entry; empty if it is missing."""
     return (entry(published, file, identifier) or {}).get("values", [])

@@ -63,7 +63,7 @@ def read_frame(path):
         mesh = meshio.vtu.read(path)
     except OSError as fault:
         raise InputFault(f"{path} cannot be read: {fault.strerror}.") from fault
-    except Exception as fault:  # of many kinds, as files can be broken in many ways
+    except Exception as fault:  # of many kinds, because files can be broken in many ways
         raise InputFault(f"{path} is not a whole VTU file ({type(fault).__name__}: "
                          f"{' '.join(str(fault).split())}), so it may be truncated.") from fault
     kinds = {block.type for block in mesh.cells}
@@ -113,8 +113,8 @@ def read_events(path):
 
 @dataclass
 class Region:
-    """Where a submesh owns the vertices: low <= u < high and side_low <= w < side_high, with
-    u = nx x + ny y and w = nx y - ny x; low > high: u >= low or u < high."""
+    """The region of the vertices of a submesh: low <= u < high and side_low <= w < side_high, with
+    u = nx x + ny y and w = nx y - ny x; if low > high: u >= low or u < high."""
 
     kind: str       # "box" or "whole"
     normal: tuple   # of length 1

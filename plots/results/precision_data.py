@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Runs of dsc_precision as lines of points, other programs beside them, and the arithmetic that
-both the pictures and their sentences use."""
+"""Runs of dsc_precision as lines of points, with those of other programs, and the arithmetic of
+the pictures and their sentences."""
 import math
 from dataclasses import dataclass, field
 
@@ -10,7 +10,7 @@ from look import style
 from results import load
 
 DEFAULT = "default"
-# Flows in the order of the page, and methods in that of legends; others come after these, by name.
+# Flows in the order of the page, and methods in that of legends; others follow by name.
 FLOWS = ["single-vortex-8", "single-vortex-2", "swirl-260", "swirl-420", "zalesak",
          "vortex-square"]
 GROUPS = ["default", "time", "remeshing", "other", "markers"]
@@ -23,7 +23,7 @@ METHODS = ["euler", "centred", "midpoint", "adaptive", "linear insertion", "coar
 
 @dataclass
 class Run:
-    """One method in one flow at one edge length; errors over the first area."""
+    """One method in one flow with one edge length; errors are relative to the first area."""
 
     flow: str
     title: str
@@ -31,7 +31,7 @@ class Run:
     group: str
     h: float
     error: float        # symmetric difference at the end
-    half: float         # half-way, or None where the flow does not return
+    half: float         # half-way, or None if the flow does not turn back
     seconds: float      # CPU
     holds: bool         # no triangle inverted, all vertices arrived, not given up
     context: load.Context
@@ -69,7 +69,7 @@ def flows(runs):
 
 
 def length(h):
-    """0.0078125 -> '1/128'; 0.01 -> '0.01': whichever is short and exact."""
+    """0.0078125 -> '1/128'; 0.01 -> '0.01': the shorter exact form."""
     inverse = round(1 / h)
     if float(f"{h:.2g}") != h and abs(inverse * h - 1) < 1e-9:
         return f"1/{inverse}"
@@ -77,7 +77,7 @@ def length(h):
 
 
 def points(line, moment="last"):
-    """[(error, seconds, run)] that a logarithmic plot can show."""
+    """[(error, seconds, run)] with positive values, for a logarithmic plot."""
     return [(r.at(moment), r.seconds, r) for r in line if r.at(moment) and r.at(moment) > 0]
 
 
@@ -95,7 +95,7 @@ def time_at(line, error, moment="last"):
 
 @dataclass(frozen=True)
 class Order:
-    """The fitted order of convergence and the range of that between neighbouring sizes."""
+    """The fitted order of convergence and the range of orders between neighbouring sizes."""
 
     fitted: float
     low: float
@@ -121,13 +121,13 @@ class Peer:
     """Another program: points with a time, at the end of the flow."""
 
     tool: str
-    is_measured: bool = True  # by this project, and not taken from what others print
+    is_measured: bool = True  # by this project, not taken from publications
     points: list = field(default_factory=list)  # (relative error, seconds)
 
 
 @dataclass(frozen=True)
 class Mark:
-    """Errors for which no time is known."""
+    """Errors without a known time."""
 
     label: str
     errors: tuple
@@ -165,8 +165,8 @@ def peers(flow, published):
 
 
 def marks(flow, published):
-    """Published errors without a time; the thesis states areas alone, and the symmetric difference
-    is at least the change of the area."""
+    """Published errors without a time; the thesis states only areas, and the symmetric difference is at
+    least the change of area."""
     result = []
     area = published.get("single_vortex", {}).get("area_exact")
     if flow == "single-vortex-8" and area:

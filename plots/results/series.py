@@ -3,7 +3,7 @@
 series, whose sizes are numbers of triangles or edge lengths (h:H), and
 computes S(n) = t_s / t_n and U(n) = S(n) / n (thesis, section 9.7) from medians.
 
-Rows come as two kinds that never mix: `rows` gives what was measured, `modelled` what the
+Rows are of two kinds, which are never mixed: `rows` returns measured ones, `modelled` those that the
 benchmark program modelled for more threads than the machine has."""
 import math
 import statistics
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from look import style
 
-# Parts of a name in which two configurations never differ.
+# Parts of a name that do not distinguish configurations.
 STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "repeats",
               "min_time", "min_warmup_time", "warmup", "h", "steps", "modelled"}
 SERIAL = ("reference", "sequential")
@@ -19,8 +19,8 @@ FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "fo
                  "scaling_run": "scaling of a circle", "four_circles_run": "four circles",
                  "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
 SAID = {"between_us": "{} µs between steps"}  # of other work
-MUCH = 0.25  # of all cores: from here on a measurement is marked
-GRANULARITY = "granularity_step"  # has a picture of its own
+MUCH = 0.25  # of all cores: measurements under a larger load are marked
+GRANULARITY = "granularity_step"  # has its own picture
 
 
 @dataclass
@@ -32,12 +32,12 @@ class Row:
     strategy: str
     threads: int
     submeshes: int
-    other: tuple        # parameters that tell configurations apart, sorted pairs
+    other: tuple        # parameters that distinguish configurations, as sorted pairs
     times: list
     oversubscribed: bool
     measurement: object
     label: str = ""
-    modelled: bool = False  # computed for so many threads and not measured with them
+    modelled: bool = False  # computed for this number of threads, not measured
     loaded: bool = False    # measured while other programs kept MUCH of the cores busy
 
     @property
@@ -46,7 +46,7 @@ class Row:
 
     @property
     def size(self):
-        """The size as its name has it, in words."""
+        """The size in words, as in the name."""
         h = _edge_length(self.measurement)
         return f"h = {h:g}" if h else f"{style.whole(self.triangles)} triangles"
 
@@ -55,14 +55,14 @@ class Row:
         return self.oversubscribed or self.loaded
 
     def flags(self):
-        """Remarks to be printed beside the row's figures."""
+        """Remarks beside the row's figures."""
         words = ["oversubscribed"] if self.oversubscribed else []
         return words + ([f"load {self.measurement.counter('load'):.1f}"] if self.loaded else [])
 
 
 @dataclass(frozen=True)
 class Point:
-    """S(n) of a row and of the ends of its time's interval, and what it was computed from."""
+    """S(n) of a row and of the ends of its time's interval, with the two rows."""
 
     row: Row
     base: Row
@@ -94,7 +94,7 @@ class Point:
         return self.row.doubtful or self.base.loaded
 
     def flags(self):
-        """Remarks to be printed beside S(n), on the row and on the sequential run."""
+        """Remarks beside S(n), on the row and on the sequential run."""
         return self.row.flags() + [f"sequential run: {w}" for w in self.base.flags()]
 
 
@@ -104,12 +104,12 @@ def title(family):
 
 
 def rows(bench):
-    """All measured step rows; two rows of one label differ in threads or size only."""
+    """All measured step rows; two rows of one label differ only in threads or size."""
     return _labelled([r for r in _all(bench) if not r.modelled])
 
 
 def modelled(bench):
-    """The modelled step rows, of several numbers of submeshes the fastest for each n."""
+    """The modelled step rows, with the fastest number of submeshes for each n."""
     fastest = {}
     for row in _all(bench):
         key = (row.family, row.triangles, row.strategy, row.other, row.threads)
@@ -119,7 +119,7 @@ def modelled(bench):
 
 
 def whole_runs(bench):
-    """All rows of whole runs (FAMILY_run/...), which mix with those of steps nowhere."""
+    """All rows of whole runs (FAMILY_run/...), which are never mixed with those of steps."""
     return _labelled(_all(bench, "_run"))
 
 
@@ -135,14 +135,14 @@ def undisturbed(bench):
 
 
 def _edge_length(measurement):
-    """That in the name, where it stands for the size, or None."""
+    """The edge length in the name if it is the size, or None."""
     params = measurement.params
     return None if "triangles" in params or "h" not in params else measurement.number("h")
 
 
 def _triangles(measurement):
-    """The size by which rows are compared: strategies differ a little in the triangles that they
-    count, so of a row that is named by its edge length, as many as would fill the unit square."""
+    """The size by which rows are compared. Strategies differ a little in their numbers of triangles, so for
+    a row named by its edge length it is the number of triangles that would fill the unit square."""
     h = _edge_length(measurement)
     return round(4 / (math.sqrt(3) * h * h)) if h else measurement.number("triangles")
 
@@ -182,25 +182,25 @@ def _labelled(found):
 
 
 def families(found):
-    """Their names: known ones in the order of FAMILY_TITLES, then others."""
+    """The names of families: known ones in the order of FAMILY_TITLES, then others."""
     known = list(FAMILY_TITLES)
     return sorted({r.family for r in found}, key=lambda family: style.order(family, known))
 
 
 def base_of(row, found):
-    """The sequential row that a parallel row is compared with, or None."""
+    """The sequential row with which a parallel row is compared, or None."""
     mine = dict(row.other)
     fitting = [r for r in found if r.strategy == "sequential" and not r.modelled
                and r.family == row.family
                and r.triangles == row.triangles
                and all(mine.get(k, v) == v for k, v in r.other)]
-    # If several fit, the one that shares most parameters.
+    # Of several candidates, the one with the most common parameters.
     return max(fitting, key=lambda r: len(set(r.other) & set(row.other)), default=None)
 
 
 def speedups(found, bases=None):
-    """A Point for each parallel row that has a sequential run beside it (in `bases`, which for
-    modelled rows are the measured ones)."""
+    """A Point for each parallel row that has a sequential run in `bases`, which for modelled rows are the
+    measured ones."""
     pairs = [(row, base_of(row, found if bases is None else bases)) for row in found
              if row.strategy not in SERIAL]
     return [Point(row, base) for row, base in pairs if base]

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A headless Chromium with one page in it, and what a test asks of it."""
+"""A headless Chromium with one page, and the queries of the tests."""
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.keys import Keys
 
-# Texts that are wider than the box that holds them, and parts that reach beyond the page. Boxes that
-# scroll are meant to hold more than they show.
+# Texts wider than their box, and parts that reach beyond the page, except in boxes that scroll.
 OVERFLOWS = """
 const scrolls = (e) => e && (/auto|scroll/.test(getComputedStyle(e).overflowX) || scrolls(e.parentElement));
 const found = [];
@@ -23,7 +22,7 @@ for (const e of document.querySelectorAll("body *")) {
 }
 return found;"""
 
-# Texts that are too small or too pale: less than 4.5 to 1, which WCAG 2 asks for.
+# Texts that are too small or too pale: WCAG 2 requires a contrast of 4.5 to 1.
 UNREADABLE = """
 const numbers = (c) => (c.match(/[\\d.]+/g) || []).map(Number);
 const ground = (e) => {
@@ -50,7 +49,7 @@ for (const e of document.querySelectorAll("main *, header *, nav *, footer *")) 
 }
 return found;"""
 
-# The element with the focus, where it is in the document's order, and whether that is seen.
+# The element with the focus, its index in the order of the document, and whether the focus is visible.
 FOCUS = """
 const e = document.activeElement;
 if (!e || e === document.body) { return null; }
@@ -80,7 +79,7 @@ class Browser:
         self.driver.execute_cdp_cmd("Network.emulateNetworkConditions", {
             "offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
         self.resize(width, dark)
-        self.driver.get("about:blank")  # a fragment alone would not load the page anew
+        self.driver.get("about:blank")  # a change of the fragment alone would not reload the page
         name, mark, fragment = path.partition("#")
         self.driver.get("file://" + name + mark + fragment)
 

@@ -49,7 +49,7 @@ def box(normal=(1.0, 0.0), low=None, high=None, side_low=None, side_high=None, w
             "side_low": side_low, "side_high": side_high, "work_us": work}
 
 
-# The square of VTU divided: one cut at x = 0.5 of colour 1, one at y = 0.5 of colour 2.
+# The square of VTU divided: at x = 0.5 in colour 1, at y = 0.5 in colour 2.
 DIVIDED = {"colours": [
     {"regions": [box(high=0.5, work=3.0), box(low=0.5, work=5.0)]},
     {"regions": [box((0.0, 1.0), high=0.5, work=1.0), box((0.0, 1.0), low=0.5, work=0.5)]},
@@ -119,7 +119,7 @@ def parallel_bench(**context):
 
 
 def own_suite(strategies=("sequential", "cells")):
-    """A scene that is named by its edge lengths: strategies differ in the triangles they count."""
+    """A scene named by its edge lengths, with strategies that differ in their numbers of triangles."""
     rows = []
     for h, us in (("0.02", 100), ("0.01", 400)):
         for strategy in strategies:
@@ -146,7 +146,7 @@ def precision_run(flow, method, h, error, seconds, group="default", half=None, *
 
 
 def precision_runs():
-    """Second order by the default, fourth by another method, first by Euler, which costs half."""
+    """Second order for the default, fourth for another method, first for Euler, which costs half."""
     sizes = [0.04, 0.02, 0.01, 0.005]
     runs = []
     for method, group, order, cost in (("default", "default", 2, 1), ("euler", "time", 1, 0.5),
@@ -178,7 +178,7 @@ def verify(verdict="pass"):
 
 class Case(unittest.TestCase):
     def setUp(self):
-        # Nobody looks at these pictures.
+        # The tests need no resolution.
         for name in ("PNG_DPI", "MESH_DPI"):
             self.addCleanup(setattr, style, name, getattr(style, name))
             setattr(style, name, 40)

@@ -38,7 +38,7 @@ class Words(Case):
         good, bad = scene(0.01, 1e-3, 1), {**scene(0.01, 1e-3, 1), "scene": "t1", "unreached": 2}
         self.assertIn("2 runs of 1 scene no triangle", findings.meshes(self.scenes(good, good)))
         self.assertEqual(findings.meshes(self.scenes(good, bad)),
-                         "In 1 of 2 runs triangles were turned over or vertices did not arrive: t1.")
+                         "In 1 of 2 runs triangles were inverted or vertices did not arrive: t1.")
 
     def test_the_swirl_with_the_finest_edges_is_told(self):
         runs = self.scenes(scene(0.01, 1e-3, 1), {**scene(0.005, 2e-4, 2), "area_ratio": 1.002})
@@ -50,7 +50,7 @@ class Words(Case):
     def test_a_step_beside_the_literal_method(self):
         self.assertEqual(findings.step(self.read_bench(bench())),
                          "One time step of a growing circle in a mesh of 28,000 triangles takes 110 µs "
-                         "on one thread; the thesis's method, written down literally, takes 220 ms, "
+                         "on one thread; a literal implementation of the thesis's method takes 220 ms, "
                          "2,000 times as long.")
 
     def test_threads_of_whole_runs_beside_the_thesis(self):

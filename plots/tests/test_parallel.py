@@ -171,7 +171,7 @@ class Parallel(Case):
         cuts = [submeshes.boundaries(r, 9) for c in division.colours for r in c]
         self.assertEqual(cuts, [[((0.5, -9), (0.5, 9))]] * 2 + [[((9, 0.5), (-9, 0.5))]] * 2 + [[]])
         picture = next(submeshes.draw([division]))
-        self.assertIn("2 submeshes, of which the one with most to do has 1.25 times", picture.sentence)
+        self.assertIn("2 submeshes, of which the one with the most work has 1.25 times", picture.sentence)
         self.assertEqual([r[:3] for r in picture.rows][:3],
                          [["1", "1", "0"], ["1", "2", "1"], ["1", "straddling", "3"]])
         titles = [a.get_title(loc="left") for a in picture.figure.axes]

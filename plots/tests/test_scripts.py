@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Every script that draws one kind of picture, as a user calls it; a file that is empty, cut off, or of
-another kind is refused in one sentence that names it, and leaves nothing behind."""
+"""Every script, called as by a user; a file that is empty, truncated or of another kind is refused in one
+sentence that names it, and no output is left."""
 import argparse
 import contextlib
 import importlib
