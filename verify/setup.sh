@@ -45,7 +45,7 @@ quietly() {
 install_packages() {
     local package missing=()
     if ! command -v dpkg-query >/dev/null; then
-        say "not a Debian system: going on as if there were ${*}"
+        say "not a Debian system: assuming that these are installed: ${*}"
         return
     fi
     for package in "$@"; do
@@ -69,7 +69,7 @@ Install them with: sudo apt-get install --no-install-recommends ${missing[*]}"
     local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q
         -o DPkg::Lock::Timeout=300)
     # A mirror that does not answer matters only if the packages cannot be had after all.
-    quietly "${apt[@]}" update || say "apt-get update failed: trying with the lists there are"
+    quietly "${apt[@]}" update || say "apt-get update failed: using the existing package lists"
     quietly "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
         give_up "apt-get could not install ${missing[*]}"
 }

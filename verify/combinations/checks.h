@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What holds in every run, whatever its scene; each fault in a sentence, or empty.
+// Invariants of every run in any scene; each function returns a fault as a sentence, or an empty
+// text.
 #pragma once
 
 #include "support/topology/changing.h"
@@ -15,13 +16,13 @@
 
 namespace dsc::combinations {
 
-/// Linear in the place, and so exact wherever a vertex is made or moved.
+/// A field that is linear in the position, so it is exact wherever a vertex is made or moved.
 template <class Real>
 [[nodiscard]] double linear_field(const Point<Real>& p) {
     return static_cast<double>(p.x()) + 2 * static_cast<double>(p.y());
 }
 
-/// Gives the vertices an attribute with the values of that field.
+/// Adds a vertex attribute with the values of that field.
 template <class Real>
 void add_field(Complex<Real>& complex) {
     auto& field = complex.attributes.template add<Vertex, double>("place", 0.0);
@@ -31,7 +32,7 @@ void add_field(Complex<Real>& complex) {
     }
 }
 
-/// Whether that attribute still has them.
+/// Checks that the attribute still has these values.
 template <class Real>
 [[nodiscard]] std::string field_fault(const Complex<Real>& complex) {
     const auto& field = complex.attributes.template get<Vertex, double>("place");
@@ -43,8 +44,8 @@ template <class Real>
     return is_exact ? "" : "the field is off by " + std::to_string(worst);
 }
 
-/// What the events of a step took is given back or owed, if that is asked for. Only areas that go
-/// to and fro between the same two phases are set off against each other.
+/// Checks that areas taken by the events of a step are given back or owed, if the options ask for
+/// it. Only opposite areas between the same two phases may cancel.
 [[nodiscard]] inline std::string account_fault(const test::ChangingReport& report,
                                                bool is_given_back) {
     double taken = 0;

@@ -58,7 +58,7 @@ Values values_of(const std::string& words) {
         const auto& names = is_known ? feature->values : std::vector<std::string_view>{};
         const auto value = std::ranges::find(names, word.substr(equals + 1));
         if (value == names.end()) {
-            throw InputError({.what = is_known ? "no value of this feature" : "no feature",
+            throw InputError({.what = is_known ? "unknown value of a feature" : "unknown feature",
                               .where = "row",
                               .value = word,
                               .allowed = "feature=value, as the enums of row.h call them"});

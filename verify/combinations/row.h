@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A row is one value of each feature of a run: where the interface lies, how it moves, what is
-// asked of the library, what interrupts the run. What its parts do is known, and so is what it must
-// give.
+// A row has one value for each feature of a run: place of the interface, motion, options of the
+// library, interruptions. The correct result follows from these values.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -17,29 +16,29 @@
 
 namespace dsc::combinations {
 
-/// Where the interface lies in the domain.
+/// The place of the interface in the domain.
 enum class Place : std::uint8_t {
     square,      ///< a disc inside the unit square
-    pair,        ///< two discs beside each other, which meet where they grow
-    by_boundary, ///< a disc beside the domain boundary, which it meets where it grows or moves
-                 ///< there
+    pair,        ///< two discs side by side, which meet if they grow
+    by_boundary, ///< a disc beside the domain boundary, which it meets if it grows or moves towards
+                 ///< it
     slender,     ///< a disc inside a rectangle of 100:1
     on_boundary, ///< half a disc on the domain boundary
     in_corner,   ///< a quarter of a disc in a corner of the domain
-    layer,       ///< a straight layer along a side of the domain, that ends on two others
+    layer,       ///< a straight layer along a side of the domain, which ends on two other sides
 };
 
 enum class Phases : std::uint8_t {
     one,       ///< a shape of phase 1
     nested,    ///< and one of phase 2 inside it
-    junctions, ///< phases 1 and 2 beside each other, so that three phases meet; of a pair one each
+    junctions, ///< phases 1 and 2 side by side, so that three phases meet; one each for a pair
 };
 
 enum class Motion : std::uint8_t {
     rest,
-    right,     ///< a translation; on the domain boundary along it
+    right,     ///< a translation; along the domain boundary for shapes on it
     down,      ///< a translation
-    turn,      ///< by three quarters about the middle of the square
+    turn,      ///< by three quarters of a turn about the middle of the square
     swirl,     ///< there and back
     grow,      ///< along the normals
     shrink,    ///< along the normals
@@ -47,10 +46,10 @@ enum class Motion : std::uint8_t {
     vanish,    ///< by curvature, until the inner of two nested pieces is gone
 };
 
-/// How the flow is handed to the step.
+/// The form in which the flow is given to the step.
 enum class Told : std::uint8_t {
     positions, ///< as a velocity of positions
-    seeing,    ///< as a velocity that sees the interface
+    seeing,    ///< as a velocity that depends on the interface
     motion,    ///< as a motion of the whole interface
 };
 
@@ -66,7 +65,7 @@ enum class Sizes : std::uint8_t {
 enum class Rule : std::uint8_t {
     keep,
     change,
-    forbidden,  ///< it may change, but the application's predicate says no
+    forbidden,  ///< it may change, but the application's predicate forbids it
     given_back, ///< with the areas given back
     wide,       ///< a contact distance of more than an edge
     min_area,   ///< pieces of several edge lengths squared vanish
@@ -74,33 +73,33 @@ enum class Rule : std::uint8_t {
 
 enum class Outline : std::uint8_t {
     round,
-    corners, ///< turns of 45 degrees and more, which are kept
+    corners, ///< turns of 45 degrees and more are kept
 };
 
-/// Sequential, or one of the divisions.
+/// The sequential driver, or one of the divisions.
 enum class Way : std::uint8_t { sequential, cells, fixed, counting, active, blocks, copy };
 
 enum class Submeshes : std::uint8_t { own_choice, two, nine };
 
 enum class Precision : std::uint8_t { in_double, in_float };
 
-/// What happens in the middle of the run.
+/// An interruption in the middle of the run.
 enum class Interruption : std::uint8_t {
     none,
     set_options, ///< the same ones
     renumbered,
-    thrown,    ///< the application's function throws, and the step is made again
+    thrown,    ///< the application's function throws, and the step is repeated
     pause,     ///< a step of no duration
-    tiny_step, ///< one of nearly none
+    tiny_step, ///< a step of almost no duration
 };
 
-/// How the whole scene is turned about its domain: the answer turns with it.
+/// The rotation or reflection of the whole scene, which also applies to the result.
 enum class Turned : std::uint8_t { not_at_all, quarter, half, three_quarters, mirrored };
 
-/// Whether the inside of phase 1 moves with the flow as well.
+/// Whether the inside of phase 1 is advected as well.
 enum class Inside : std::uint8_t { still, advected };
 
-/// The first value of each feature is the plain one.
+/// The first value of each feature is the default.
 struct Row {
     Place place = Place::square;
     Phases phases = Phases::one;
@@ -137,14 +136,14 @@ struct Feature {
     std::string_view name;
     std::vector<std::string_view> values; ///< the enumerators, in order
 };
-/// In the order of the members of Row.
+/// All features in the order of the members of Row.
 [[nodiscard]] const std::vector<Feature>& features();
 
-/// A row as numbers: for each feature, which of its values.
+/// A row as numbers: for each feature, the index of its value.
 using Values = std::array<std::uint8_t, sizeof(Row)>;
 [[nodiscard]] Row row_of(const Values& values);
 
-/// "motion=turn way=cells": the features that are not plain.
+/// "motion=turn way=cells": the features with other values than the default.
 [[nodiscard]] std::string words_of(const Values& values);
 /// The reverse. Throws InputError for a feature or a value that does not exist.
 [[nodiscard]] Values values_of(const std::string& words);

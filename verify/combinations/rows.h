@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which rows are run: those that make sense, drawn at random until each combination of a few values
-// stands in one of them; and those that have failed once, or still do.
+// The rows to be run: meaningful ones, drawn at random until each combination of a few values
+// occurs in one of them; and rows that have failed before or still fail.
 #pragma once
 
 #include "combinations/row.h"
@@ -12,22 +12,23 @@
 
 namespace dsc::combinations {
 
-/// Why a row makes no sense: no simulation could be asked for it, or nobody knows its answer. Empty
-/// if it makes sense.
+/// Why a row is meaningless: its options are not allowed, or its result is unknown. Empty if it is
+/// meaningful.
 [[nodiscard]] std::string_view nonsense_in(const Row& row);
 
 struct Cover {
     std::vector<Values> rows;
-    std::size_t combinations = 0; ///< of values, each of which stands in one of the rows
-    std::size_t senseless = 0;    ///< combinations that stand in no row that makes sense
+    std::size_t combinations =
+        0;                     ///< number of combinations of values, each of which occurs in a row
+    std::size_t senseless = 0; ///< number of combinations that occur in no meaningful row
 };
 
-/// Rows in which every combination of so many values stands that makes sense. The same seed gives
-/// the same rows on every machine. O(rows * combinations) with a factor of some ten.
+/// Rows with every meaningful combination of `strength` values. The same seed gives the same rows
+/// on every machine. O(rows * combinations) with a factor of some ten.
 [[nodiscard]] Cover cover_features(std::size_t strength, std::uint64_t seed = 1);
 
-/// The rows of found.txt: they failed once, and are cut down to the features that they needed for
-/// it.
+/// The rows of found.txt: they failed before, and are reduced to the features that the failure
+/// needed.
 [[nodiscard]] std::vector<Values> found_rows();
 
 /// The rows of open.txt: they still fail.

@@ -11,34 +11,35 @@
 
 namespace dsc::combinations {
 
-/// How a row is run; the answer depends on none of it.
+/// The manner in which a row is run; the result must not depend on it.
 struct Manner {
     std::uint32_t threads = 1;
-    /// After a third of the steps, the run is archived, and read into another simulation.
+    /// After a third of the steps, the run is archived and read into another simulation.
     bool is_resumed = false;
     /// Without the row's interruption.
     bool is_unbroken = false;
 };
 
-/// What a complex looks like, by phase.
+/// The shapes of a complex, by phase.
 struct Shapes {
     std::vector<std::vector<scenes::Outline>> outlines;
     std::vector<double> areas;
 };
 
-/// What a run left.
+/// The results of a run.
 struct Outcome {
     Shapes first;
     Shapes middle; ///< after half of the steps
     Shapes last;
-    std::vector<double> times; ///< at which sub-steps began: those of a step are of one length
-    std::vector<double> asked; ///< times for which a velocity was asked, each once
+    std::vector<double>
+        times; ///< at which sub-steps began; the sub-steps of a step have equal length
+    std::vector<double> asked; ///< times at which a velocity was evaluated, each once
     std::uint64_t hash = 0;
     std::uint64_t unreached = 0;
     std::uint64_t held = 0;
     std::size_t events = 0;
-    std::uint32_t threads = 0;   ///< most that were used, by a division in place
-    std::uint32_t submeshes = 0; ///< of its first colour, most
+    std::uint32_t threads = 0;   ///< largest number used, by a division in place
+    std::uint32_t submeshes = 0; ///< largest number of the first colour
     std::vector<std::string> problems;
 };
 

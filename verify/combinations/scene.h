@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The scene of a row, and its answer, from its parts: the place and the phases give the curves, the
-// motion gives a map under which the exact shape at the end is that of the start, and the turn of
-// the scene is applied to all of them.
+// The scene of a row, and its exact result: place and phases determine the curves, the motion
+// determines a map from the first shape to the exact last one, and the rotation of the scene is
+// applied to everything.
 #pragma once
 
 #include "combinations/row.h"
@@ -15,49 +15,49 @@
 namespace dsc::combinations {
 
 struct Scene {
-    double length_unit = 1; ///< that lengths are given in
+    double length_unit = 1; ///< unit of lengths
     double time_unit = 1;
     double h = 0.04;
     Rectangle domain;
     std::vector<Curve> curves;
-    Phase phases = 2; ///< the exterior among them
+    Phase phases = 2; ///< number of phases, including the exterior
 
     double end = 1; ///< the time
     int steps = 24;
 
-    /// Where a place of the interface is at the end. Places on the domain boundary stay on it;
-    /// where pieces of a phase overlap then, they are one.
+    /// The last position of a point of the interface. Points on the domain boundary stay on it;
+    /// pieces of a phase that overlap at the end are one piece.
     std::function<Point<double>(const Point<double>&)> exact;
-    /// By place and time; none for `grow`, `shrink`, `curvature` and `vanish`.
+    /// As a function of position and time; empty for `grow`, `shrink`, `curvature` and `vanish`.
     std::function<Point<double>(const Point<double>&, double)> velocity;
     /// The largest curvature of the curves at any time, where they are smooth; 0: they are
     /// straight.
     double curvature = 0;
     double longest_at_start = 1; ///< interface edge, in edge lengths
     double stretch = 1;          ///< the largest factor by which a piece of a curve becomes longer
-    /// The shape meets itself or a side of the domain, or a piece of it vanishes: where the
-    /// topology may change, that is told; where it is kept, vertices are in each other's way.
+    /// The shape meets itself or a side of the domain, or a piece of it vanishes: if the topology
+    /// may change, there are events; if it is kept, vertices are blocked.
     bool meets = false;
-    /// If it meets something: the length along which, and the angle between each sheet and that
-    /// line at its two ends, at the end of the run. A side of the domain is the line itself.
+    /// If the shape meets something: the length of the contact line at the end of the run, and the
+    /// angle between each sheet and the line at its two ends. A side of the domain is the line
+    /// itself.
     double seam = 0;
     double seam_angle = std::numbers::pi / 2;
     bool meets_boundary = false;
     /// Vertices have targets beyond a side of the domain, and need not arrive.
     bool runs_into_boundary = false;
 
-    /// By how much the areas change that no map tells, by phase: those of curvature flow at
-    /// junctions, by the rule of J. von Neumann (1952) and W. W. Mullins (1956). Empty: `exact`
-    /// tells.
+    /// The changes of areas by phase, where no map is known: by curvature flow with junctions, by
+    /// the rule of J. von Neumann (1952) and W. W. Mullins (1956). Empty: use `exact`.
     std::vector<double> area_changes;
 };
 
-/// With edges of the usual length over `fineness`.
+/// The scene with edges of the usual length divided by `fineness`.
 [[nodiscard]] Scene scene_of(const Row& row, double fineness);
 
-/// The same scene with all lengths and times multiplied by these. Coordinates are only names of
-/// places: by powers of two everything in it has the same bits, since lengths are never compared
-/// with absolute numbers. The members that serve tolerances alone stay as they are.
+/// The same scene with all lengths and times multiplied by these factors. For powers of two the
+/// result must be bitwise the scaled one, because lengths are never compared with absolute numbers.
+/// Members used only for tolerances are not changed.
 [[nodiscard]] Scene in_units(Scene scene, double length, double time);
 
 } // namespace dsc::combinations

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a row asks of the library: options, the flow along normals, threads.
+// The settings of a row: options, the flow along normals, threads.
 #pragma once
 
 #include "combinations/scene.h"
@@ -42,7 +42,7 @@ template <class Real>
     return sizes;
 }
 
-/// Of the simulation, in that half of the run.
+/// The options of the simulation in that half of the run.
 template <class Real>
 [[nodiscard]] test::ChangingOptions<Real> options_of(const Row& row, const Scene& scene, int half) {
     test::ChangingOptions<Real> options;
@@ -69,7 +69,7 @@ template <class Real>
     return options;
 }
 
-/// Of `grow` and `shrink`.
+/// The options of `grow` and `shrink`.
 template <class Real>
 [[nodiscard]] GrowthOptions<Real> growth_of(const Row& row, const Scene& scene) {
     const double unit = scene.length_unit / scene.time_unit;
@@ -84,12 +84,12 @@ template <class Real>
     return options;
 }
 
-/// Of `curvature` and `vanish`.
+/// The options of `curvature` and `vanish`.
 [[nodiscard]] inline CurvatureFlowOptions bending_of(const Scene& scene) {
     return {.mobility = scene.length_unit * scene.length_unit / scene.time_unit};
 }
 
-/// Of all ways but the sequential one.
+/// The parallel options of all ways but the sequential one.
 [[nodiscard]] inline Parallel parallel_of(const Row& row, std::uint32_t threads) {
     constexpr std::array divisions{&cells_division,    &cells_division,  &fixed_division,
                                    &counting_division, &active_division, &blocks_division,

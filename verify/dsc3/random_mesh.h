@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random small complexes in three dimensions, and what has to stay when an operation is done.
+// Random small complexes in three dimensions, and the invariants of operations.
 #pragma once
 
 #include "support/random/complex.h"
@@ -16,7 +16,7 @@ namespace dsc3::test {
 
 using dsc::test::Random;
 
-/// A lattice of 4 x 4 x 4 cubes of side 1 whose inner vertices are shaken, with up to three blobs
+/// A lattice of 4 x 4 x 4 cubes of side 1 with randomly moved inner vertices and up to three blobs
 /// of phases 1 and 2 inside, which may touch.
 inline Complex random_mesh(std::uint64_t seed) {
     Random random(seed);
@@ -58,14 +58,14 @@ inline PhaseFigures figures(const Complex& complex, const ValidationReport& repo
     return result;
 }
 
-/// What an operation may change.
+/// The change that an operation may make.
 enum class Change : std::uint8_t {
     nothing,  ///< it was refused
-    mesh,     ///< tets alone: every phase fills what it filled
-    interface ///< the interface as well: its topology stays
+    mesh,     ///< only tets: every phase fills the same region
+    interface ///< also the interface, but not its topology
 };
 
-/// Validates the complex and compares it with what it was.
+/// Validates the complex and compares it with its earlier state.
 class Watch {
 public:
     explicit Watch(const Complex& complex) : complex_(complex) { look(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fluids that several tests start from.
+// Fluids from which several tests start.
 #pragma once
 
 #include <fluid/fluid.h>

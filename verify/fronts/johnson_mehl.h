@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Discs of as many phases that grow at a speed of 1 until the unit square is full (W. A. Johnson
-// and R. F. Mehl, 1939). Where they meet is known: each place belongs to the disc that reaches it
-// first, which is the additively weighted Voronoi diagram. It says how exactly fronts meet.
+// Discs of different phases that grow at a speed of 1 until the unit square is full (W. A. Johnson
+// and R. F. Mehl, 1939). The exact result is the additively weighted Voronoi diagram: each point
+// belongs to the disc that reaches it first. It measures how accurately fronts meet.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -17,27 +17,27 @@ struct Discs {
     std::vector<Point<double>> centres;
     std::vector<double> radii;
 
-    /// When the front of disc i reaches a place.
+    /// The time at which the front of disc i reaches a point.
     [[nodiscard]] double arrival(std::size_t i, const Point<double>& p) const {
         return (p - centres[i]).norm() - radii[i];
     }
 };
 
-/// At random places, drawn from a seed, none near another or the sides. Seed 0: two or three discs
-/// at places of their own.
+/// Discs at random places drawn from a seed, away from each other and from the sides. Seed 0: two
+/// or three discs at fixed places.
 [[nodiscard]] Discs discs_of(int number, std::uint64_t seed);
 
-/// How far a complex is from the exact one.
+/// The errors of a complex.
 struct Distance {
-    double wrong_area = 0;  ///< of the triangles' parts that belong to another phase
+    double wrong_area = 0;  ///< area of the parts of triangles that belong to another phase
     double phase_error = 0; ///< largest error of the area of a disc
     double seam_max = 0;    ///< largest distance from a seam's vertex to its bisector...
-    double seam_rms = 0;    ///< ...and the root of the mean square
+    double seam_rms = 0;    ///< ...and the root-mean-square distance
     double triple_max = 0;  ///< largest difference between the arrivals of the fronts of a junction
     int triples = 0;        ///< junctions of three fronts or more
 };
 
-/// At a time. O(triangles * discs) beside fronts.
+/// The errors at a time. O(triangles * discs) beside fronts.
 [[nodiscard]] Distance distance_from_exact(const Complex<double>& complex, const Discs& discs,
                                            double time);
 

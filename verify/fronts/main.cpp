@@ -48,7 +48,8 @@ int main(int argc, char** argv) {
     std::vector<std::uint64_t> seeds{0};
     std::vector<double> lengths{0.02};
     app.add_option("--discs", one.number, "number of discs")->check(CLI::Range(2, 200));
-    app.add_option("--seed", seeds, "of the discs' places; 0: two or three at places of their own");
+    app.add_option("--seed", seeds,
+                   "seeds of the discs' places; 0: two or three discs at fixed places");
     app.add_option("--edge-length", lengths)->check(CLI::Range(0.001, 0.05));
     app.add_option("--step", one.step, "in edge lengths")->check(CLI::Range(0.01, 10.0));
     app.add_option("--contact", one.contact, "contact distance in edge lengths; 0: the default")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decodes the bytes of a fuzzer into numbers. After the last byte everything is 0, so that a
-// shorter input means the same as a longer one that ends with zeros.
+// Decodes the bytes of a fuzzer to numbers. After the last byte all numbers are 0, so an input
+// means the same as a longer one that ends with zeros.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ public:
         rest_ = rest_.subspan(1);
         return first;
     }
-    /// 0 to `bound` - 1, from one byte where that is enough and otherwise from two.
+    /// A number from 0 to `bound` - 1, from one byte if that is enough, otherwise from two.
     std::uint32_t below(std::uint32_t bound) {
         std::uint32_t value = byte();
         if (bound > 256) {
@@ -30,9 +30,9 @@ public:
         }
         return bound == 0 ? 0 : value % bound;
     }
-    /// From one byte: low, high, or one of 254 numbers between them.
+    /// A number from one byte: low, high, or one of 254 numbers between them.
     double in(double low, double high) { return low + (high - low) * byte() / 255; }
-    /// All that is left.
+    /// The rest of the bytes.
     std::string text() {
         std::string all(rest_.begin(), rest_.end());
         rest_ = {};

@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
         allowed += " --target=" + target.name;
     }
     if (run == nullptr) {
-        std::cerr << "no target; allowed:" << allowed << '\n';
+        std::cerr << "no such target; allowed:" << allowed << '\n';
         std::_Exit(2);
     }
     return 0;

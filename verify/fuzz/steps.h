@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The target of random scenes, and what tells whether much has happened in one.
+// The target of random scenes, and counts that show whether a scene tests enough.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@ namespace dsc::fuzz {
 
 struct Steps {
     std::uint64_t edits = 0;
-    std::size_t submeshes = 0; ///< of the first colour, at most
-    std::uint32_t threads = 0; ///< used, at most
+    std::size_t submeshes = 0; ///< largest number of the first colour
+    std::uint32_t threads = 0; ///< largest number used
 };
 
-/// Throws a Finding (target.h) where a promise is not kept.
+/// Throws a Finding (target.h) if a promise is broken.
 Steps try_steps(std::span<const std::uint8_t> bytes);
 
 } // namespace dsc::fuzz

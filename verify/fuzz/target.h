@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is fuzzed. A target takes any bytes, and either ends or throws a Finding; everything else
-// that comes out of it is a finding too: another exception, a signal, a report of a sanitizer, a
-// hang.
+// The targets of fuzzing. A target accepts any bytes, and either returns or throws a Finding; any
+// other outcome is a finding too: another exception, a signal, a report of a sanitizer, a hang.
 //
 // verify/fuzz.sh has libFuzzer search for such bytes; the test FuzzCorpus runs those of the corpus.
 #pragma once
@@ -16,7 +15,7 @@
 
 namespace dsc::fuzz {
 
-/// Something that the library promises and did not keep.
+/// A broken promise of the library.
 class Finding : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
@@ -29,7 +28,7 @@ inline void expect(bool condition, const std::string& promise) {
     }
 }
 
-/// 1 if `read` ends, 0 if it is refused a file, whose path the error names.
+/// 1 if `read` returns, 0 if it throws a FileError, which must name the path.
 template <class Read>
 std::uint64_t end_or_refuse(Read read) {
     try {
@@ -41,7 +40,7 @@ std::uint64_t end_or_refuse(Read read) {
     }
 }
 
-/// One input; returns how many operations it did: edits, steps, or texts that were read.
+/// Processes one input; returns the number of operations: edits, steps, or texts read.
 using Run = std::uint64_t (*)(std::span<const std::uint8_t> bytes);
 
 std::uint64_t run_operations(std::span<const std::uint8_t> bytes);
@@ -53,11 +52,11 @@ std::uint64_t run_command_line(std::span<const std::uint8_t> bytes);
 std::uint64_t run_archives(std::span<const std::uint8_t> bytes);
 
 struct Target {
-    std::string name; ///< of its folder in the corpus as well
+    std::string name; ///< also of its folder in the corpus
     Run run;
 };
 
-/// All of them.
+/// All targets.
 [[nodiscard]] inline const std::vector<Target>& targets() {
     static const std::vector<Target> all{
         {"operations", run_operations}, {"steps", run_steps},

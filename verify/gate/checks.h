@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the gate can check: each check measures one figure of a case of a suite.
+// The checks of the gate: each measures one figure of a case of a suite.
 #pragma once
 
 #include "runs.h"
@@ -14,17 +14,17 @@
 
 namespace dsc::gate {
 
-/// Which runs a figure is of.
+/// The runs from which a figure is computed.
 enum class Of : std::uint8_t {
     sequential,     ///< the sequential run
     worst_parallel, ///< the worst of the parallel runs
     all_parallel,   ///< the sum over the parallel runs
     difference,     ///< the largest difference of a parallel run from the sequential one
     reference,      ///< the mean difference from the literal method, over the starts of the case
-    threads,        ///< how many results different numbers of threads give
+    threads,        ///< the number of different results for several numbers of threads
 };
 
-/// What to look at where a limit is broken.
+/// The element shown if a limit is broken.
 enum class Culprit : std::uint8_t {
     none,
     worst_triangle,  ///< of the lowest quality
@@ -34,7 +34,7 @@ enum class Culprit : std::uint8_t {
     first_failure,   ///< the triangle that is inverted, at the first step that has one
 };
 
-/// The group of checks of scenes in three dimensions.
+/// The group of checks for scenes in three dimensions.
 inline constexpr const char* in_space = "space";
 
 struct Check {
@@ -42,23 +42,24 @@ struct Check {
 
     std::string name;
     std::string description{};
-    std::string group{}; ///< what --only may name beside the check
+    std::string group{}; ///< which --only may name, like the check
     Of of = Of::sequential;
     std::function<double(const Result&)> figure{};
     std::function<double(const Result& one, const Result& base)> difference{};
-    std::vector<std::string> figures{}; ///< of result files, without which it cannot be made
+    std::vector<std::string> figures{}; ///< figures of result files that the check needs
     Culprit culprit = Culprit::none;
     std::string unit = "1"; ///< "1" for a ratio
     bool at_least = false;  ///< the limit is a lower one
 
-    /// By its name, its group, or as one of "parallel", "reference" and "accuracy".
+    /// Whether this is the check's name, its group, or one of "parallel", "reference" and
+    /// "accuracy" to which it belongs.
     [[nodiscard]] bool is_called(const std::string& name_or_group) const;
 };
 
-/// All that a suite may name, in the order of the table.
+/// All checks that a suite may name, in the order of the table.
 [[nodiscard]] const std::vector<std::shared_ptr<const Check>>& all_checks();
 
-/// Throws InputError, naming all checks, if there is none of this name.
+/// Throws InputError, which lists all checks, if there is none of this name.
 [[nodiscard]] std::shared_ptr<const Check> find_check(const std::string& name);
 
 /// The check of a figure of result files, for [limits] of scene files.
@@ -71,16 +72,16 @@ struct Check {
 /// Why the check cannot be made of this case; empty if it can.
 [[nodiscard]] std::string why_not(const Check& check, const Case& of);
 
-/// The runs that the check looks at; the first is the one that others are compared with.
+/// The runs that the check needs; the others are compared with the first one.
 [[nodiscard]] std::vector<Configuration> configurations_of(const Check& check, const Case& of);
 
-/// A figure, and the run that it is of: of several, the worst.
+/// A figure, and the run from which it comes: the worst of several.
 struct Measured {
     double value = 0;
     Configuration run{};
 };
 
-/// A run that broke off says nothing about anything else.
+/// A run that gave up has no figures.
 class GaveUp : public InvariantError {
 public:
     GaveUp(const std::string& reason, Configuration run)
@@ -92,11 +93,11 @@ private:
     Configuration run_;
 };
 
-/// The result of a run that did all of its steps. Throws GaveUp, and what the run threw.
+/// The result of a run that completed all steps. Throws GaveUp, or the exception of the run.
 [[nodiscard]] const scenes::RunResult& finished(const Outcome& outcome);
 
-/// What the check makes of its runs, which are those of `configurations_of`. Throws what `finished`
-/// throws.
+/// Computes the figure of a check from its runs, which are those of `configurations_of`. Throws as
+/// `finished`.
 [[nodiscard]] Measured measure(const Check& check, std::span<const Outcome* const> outcomes);
 
 } // namespace dsc::gate

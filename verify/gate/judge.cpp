@@ -36,7 +36,7 @@ std::vector<Task> tasks_of(const Cases& cases, const std::vector<std::string>& o
         });
     });
     if (tasks.empty()) {
-        throw InputError({.what = "no limit of these checks",
+        throw InputError({.what = "no case has a limit for these checks",
                           .where = "run",
                           .value = only.empty() ? "" : only.front(),
                           .allowed = "checks for which a case has a limit"});

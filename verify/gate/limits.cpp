@@ -37,7 +37,9 @@ void check_rule(const TableReader& limits, const Check& check, const Limit& limi
     const double measured = limit.measured.value();
     if (std::abs(measured) <= rounding_error) {
         if (!(limit.value >= 0 && limit.value <= rounding_error)) {
-            limits.refuse(check.name, "not the limit of a rounding error", "0 to 1e-12");
+            limits.refuse(check.name,
+                          "the measurement is a rounding error, but the limit is larger",
+                          "0 to 1e-12");
         }
         return;
     }
@@ -46,7 +48,7 @@ void check_rule(const TableReader& limits, const Check& check, const Limit& limi
         rule.factor == 1 && check.at_least ? measured / limit.value : limit.value / measured;
     if (!(ratio >= rule.least && ratio <= rule.most)) {
         limits.refuse(check.name,
-                      "a limit that does not follow its rule, " + rule.name + " of " +
+                      "the limit does not follow its rule, " + rule.name + " of " +
                           to_text(measured),
                       to_text(rule.least) + " to " + to_text(rule.most) + " times that");
     }
@@ -111,7 +113,7 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     const std::string wanted = check.at_least ? "at_least" : "at_most";
     const std::string other = check.at_least ? "at_most" : "at_least";
     if (table && reader.has(other)) {
-        limits.refuse(check.name, "a bound on the wrong side, " + other, wanted);
+        limits.refuse(check.name, "the limit has the wrong bound, " + other, wanted);
     }
     if (table && !reader.has(wanted)) {
         limits.refuse(check.name, "a limit is missing", wanted + " = a number");
@@ -127,7 +129,7 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     if (limit.measured) {
         check_rule(limits, check, limit);
     } else if (find_rule(limit.rule).factor != 1) {
-        limits.refuse(check.name, "no measurement is named", "measured = a number");
+        limits.refuse(check.name, "the rule needs a measurement", "measured = a number");
     }
     return limit;
 }

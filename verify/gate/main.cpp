@@ -86,7 +86,7 @@ Cases cases_of(const std::string& path, const std::string& suite) {
         cases.push_back(std::make_shared<const Case>(std::move(same)));
     }
     if (cases.empty()) {
-        throw dsc::InputError({.what = "no limit of this scene",
+        throw dsc::InputError({.what = "the suite has no limits for this scene",
                                .where = "--limits",
                                .value = own.name,
                                .allowed = "a suite with a case of " + own.name +
@@ -228,7 +228,7 @@ std::string text_of(const Proposal& proposal, bool is_of_suite) {
         const auto folder = std::filesystem::path(proposal.out).parent_path() / ".";
         scene = "./" + std::filesystem::relative(scene, folder).string();
     }
-    return "# Proposed by `dsc_verify propose`: look at each limit before you commit it.\n"
+    return "# Proposed by `dsc_verify propose`: review each limit before you commit it.\n"
            "[[case]]\nscene = \"" +
            scene + "\"\n[case.limits]\n";
 }
@@ -245,11 +245,11 @@ void check_proposal(const Proposal& proposal, bool is_of_suite) {
         refuse("not a suite", "--update", "a suite, or --out FILE for a new one");
     }
     if (is_of_suite && !proposal.out.empty()) {
-        refuse("a suite is not written to another file", "--out", "--update");
+        refuse("--out is not allowed for a suite", "--out", "--update");
     }
     if (!proposal.out.empty()) {
         if (std::filesystem::exists(proposal.out)) {
-            refuse("there is such a file", "--out", "another name");
+            refuse("the file already exists", "--out", "another name");
         }
         dsc::scenes::check_outputs({{"--out", proposal.out}});
     }
@@ -267,17 +267,18 @@ int write_proposal(const Proposal& proposal) {
     const std::vector<Band> bands = propose(cases, proposal.orders, proposal.jobs);
     print_bands(std::cout, bands);
     if (path.empty()) {
-        std::cout << "nothing is written without --update or --out FILE\n";
+        std::cout << "nothing was written: give --update or --out FILE\n";
         return 0;
     }
     dsc::scenes::write_file(path, with_limits(text, path, bands));
-    std::cout << "written: " << path << "; look at each limit before you commit it\n";
+    std::cout << "written: " << path << "; review each limit before you commit it\n";
     return 0;
 }
 
 void add_jobs(CLI::App& command, int& jobs) {
     command
-        .add_option("--jobs", jobs, "runs made at a time; results do not depend on it (default 1)")
+        .add_option("--jobs", jobs,
+                    "number of parallel runs (default 1); does not change the results")
         ->check(CLI::Range(1, 1024));
 }
 
@@ -300,12 +301,14 @@ int main(int argc, char** argv) {
         ->add_option("--only", arguments.only, "names or groups of checks, such as area,histograms")
         ->delimiter(',')
         ->allow_extra_args(false);
-    run_command->add_option("--limits", arguments.limits,
-                            "a suite in place of ours; of scene files, beside their [limits]");
+    run_command->add_option(
+        "--limits", arguments.limits,
+        "a suite to use instead of the project's; for scene files, in addition to their [limits]");
     run_command
-        ->add_option("--drift", arguments.drift,
-                     "also fail what is worse than the limit's own measurement by more than this "
-                     "share, such as 0.1")
+        ->add_option(
+            "--drift", arguments.drift,
+            "also fail figures that are worse than the limit's measurement by more than this "
+            "fraction, such as 0.1")
         ->check(CLI::NonNegativeNumber);
     run_command->add_option("--out", arguments.out,
                             "folder for verify.json and verify.xml (default dsc_verify_out)");
@@ -323,7 +326,7 @@ int main(int argc, char** argv) {
     propose_command->add_flag(
         "--update", proposal.update,
         "write the limits into the suite, whose other lines stay as they are");
-    propose_command->add_option("--out", proposal.out, "of a scene: the new suite");
+    propose_command->add_option("--out", proposal.out, "for a scene: the new suite");
     add_jobs(*propose_command, proposal.jobs);
     return dsc::scenes::call_command(app, "dsc_verify", argc, argv,
                                      {{"list", list_checks},

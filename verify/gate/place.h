@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a limit is broken: the element that is to blame, a picture of it, and how to see it again.
+// The place where a limit is broken: the worst element, its picture, and the command that
+// reproduces it.
 #pragma once
 
 #include "judge.h"
@@ -8,10 +9,10 @@
 
 namespace dsc::gate {
 
-/// Makes the run of a row once more, which ends with the same bits, and looks for its culprit.
-/// Writes a picture of the place into the folder, and the log of edits where triangles are inverted
-/// or the run gave up. A figure of the mesh as a whole has no place, and of runs in float and of
-/// the reference only the command is known. Throws what the run throws; FileError.
+/// Repeats the run of a row, which is bitwise identical, and finds its culprit. Writes a picture of
+/// the place to the folder, and the log of edits if triangles are inverted or the run gave up. A
+/// figure of the whole mesh has no place, and for runs in float and of the reference only the
+/// command is known. Throws the exceptions of the run, and FileError.
 [[nodiscard]] Place find_place(const Row& row, const Runs& runs,
                                const std::filesystem::path& folder);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limits, measured: how far figures spread when the interface is taken in different orders, none of
-// which is right. For a person to look at and to commit; the gate itself never writes limits.
+// Measured limits: the spread of figures when the interface is visited in different orders, all
+// equally valid. They must be reviewed and committed; the gate itself never writes limits.
 #pragma once
 
 #include "suite.h"
@@ -9,20 +9,20 @@
 
 namespace dsc::gate {
 
-/// Of one check, over all orders; of a comparison, over all pairs of them.
+/// The spread of one check over all orders; for a comparison, over all pairs of orders.
 struct Band {
     const Case* of = nullptr;
     std::shared_ptr<const Check> check;
     double median = 0;
     double least = 0;
     double most = 0;
-    Limit limit{}; ///< as it is proposed
+    Limit limit{}; ///< the proposed limit
 };
 
-/// Measures the limits that the cases have of their own and those that they lack; a case that has
-/// none gets all that can be made of any scene, from `orders` orders: its own and shuffled ones.
-/// What is required stays as it is. Throws InvariantError for a run that gives up or has a figure
-/// that is no number.
+/// Measures the cases' own limits and the missing ones; a case without limits gets all that are
+/// possible for its scene. Each is measured in `orders` orders: the scene's own and shuffled ones.
+/// Limits of the rule "required" are not changed. Throws InvariantError for a run that gives up or
+/// has a figure that is not a number.
 [[nodiscard]] std::vector<Band> propose(const Cases& cases, int orders, int jobs);
 
 } // namespace dsc::gate

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The gate's result as a table for people, JSON for plots, and JUnit XML for continuous
-// integration.
+// The gate's result as a table, as JSON for plots, and as JUnit XML for continuous integration.
 #pragma once
 
 #include "judge.h"
@@ -14,14 +13,14 @@ namespace dsc::gate {
 
 void print_heading(std::ostream& out);
 void print_row(std::ostream& out, const Row& row);
-/// Of a limit that is broken: why it stands, where it is broken, and how to see it again.
+/// Prints the origin of a broken limit, the place, and the command that reproduces it.
 void print_failure(std::ostream& out, const Row& row);
 
-/// Median and spread of each proposed limit, and the limit over the median: what a run has room
-/// for.
+/// Prints the median and spread of each proposed limit, and the ratio of limit to median: the
+/// margin of a run.
 void print_bands(std::ostream& out, const std::vector<Band>& bands);
 
-/// `suites` are named in it; `cases` are all of theirs, for what was not run.
+/// `suites` are the names; `cases` are all their cases, for the list of checks that were not run.
 [[nodiscard]] std::string to_json(const std::vector<Row>& rows,
                                   const std::vector<std::string>& suites, const Cases& cases,
                                   const Runs& runs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The runs that the checks look at, each made once, several at a time.
+// The runs that the checks need, each made once, several at a time.
 #pragma once
 
 #include "limits.h"
@@ -21,52 +21,52 @@
 
 namespace dsc::gate {
 
-/// A limit, and what it is of.
+/// A limit and its check.
 struct Held {
     std::shared_ptr<const Check> check;
     Limit limit;
 };
 
-/// A [[case]] of a suite: a scene with its parameters, and what it is held to.
+/// A [[case]] of a suite: a scene with its parameters and limits.
 struct Case {
     std::string name; ///< of its rows
     scenes::SceneFile file;
     std::string path{}; ///< of the scene file; empty: a scene of the catalogue
-    /// In three dimensions: `file` then has its name, keys and parameters, and prepares nothing.
+    /// The scene in three dimensions; `file` then has only its name, keys and parameters.
     std::shared_ptr<const scenes::space::Scene> space{};
     scenes::Parameters parameters{};
     std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
-    std::vector<std::uint32_t> threads{};       ///< of these; empty: as each check has them
-    int starts = 1; ///< in which library and reference are compared: edges longer by 0.2 % each
+    std::vector<std::uint32_t> threads{};       ///< of these; empty: chosen by each check
+    int starts = 1; ///< for comparing library and reference: edge lengths differ by 0.2 % each
     std::vector<Held> held{};
-    std::vector<std::string> missing{}; ///< checks that every case of the suite is to have
-    std::optional<std::size_t> table{}; ///< its [[case]], if it has one to itself
+    std::vector<std::string> missing{}; ///< required checks of the suite that the case lacks
+    std::optional<std::size_t> table{}; ///< its [[case]], if no other case shares it
 };
 
 struct Configuration {
-    const Case* of = nullptr; ///< outlives it
+    const Case* of = nullptr; ///< must outlive this
     scenes::Parameters parameters{};
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t threads = 1;
-    /// The first steps alone, in which all threads get a share, whether that pays or not.
+    /// Only the first steps, in which all threads are used even if it is slower.
     bool is_shared = false;
 
-    /// The same for runs that give the same result.
+    /// Equal keys mean equal results.
     [[nodiscard]] std::string key() const;
-    /// What `run_scene` takes beside scene and parameters.
+    /// The options of `run_scene`.
     [[nodiscard]] scenes::RunOptions options() const;
 };
 
 struct Outcome {
     Configuration configuration{};
     scenes::RunResult result{};
-    std::exception_ptr error{}; ///< that the run threw
+    std::exception_ptr error{}; ///< exception of the run
     double seconds = 0;
     bool is_done = false;
 };
 
-/// Begins with the runs at once, in this order; the results do not depend on how many are made at a
-/// time. The destructor waits for those under way and leaves out the others.
+/// Starts the runs at once, in this order; the results do not depend on the number of parallel
+/// runs. The destructor waits for running ones and skips the others.
 class Runs {
 public:
     Runs(const std::vector<Configuration>& configurations, int jobs);
@@ -74,9 +74,9 @@ public:
     Runs(const Runs&) = delete;
     Runs& operator=(const Runs&) = delete;
 
-    /// Waits for a run. Throws std::out_of_range for one that was not asked for.
+    /// Waits for a run. Throws std::out_of_range for a run that is not in the list.
     const Outcome& wait(const Configuration& configuration);
-    /// All that are done; nothing may be under way.
+    /// All finished runs; none may be running.
     [[nodiscard]] const std::map<std::string, Outcome>& all() const { return outcomes_; }
 
 private:
@@ -87,7 +87,7 @@ private:
     std::atomic<std::size_t> next_ = 0;
     std::mutex mutex_;
     std::condition_variable done_;
-    std::vector<std::jthread> workers_; ///< which the destructor waits for
+    std::vector<std::jthread> workers_; ///< joined by the destructor
 };
 
 } // namespace dsc::gate

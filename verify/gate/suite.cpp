@@ -92,7 +92,7 @@ void read_held(const CaseReader& reader, const Common& common, Case& c) {
         c.missing.push_back(name);
     }
     if (c.held.empty() && common.needs_limits) {
-        reader.refuse("scene", "no limit",
+        reader.refuse("scene", "the case has no limits",
                       "[case.limits], such as `dsc_verify propose --update` writes");
     }
 }
@@ -290,7 +290,7 @@ Case case_of_file(const std::string& path) {
         }
     }
     if (c.held.empty()) {
-        throw InputError({.what = "a scene without limits",
+        throw InputError({.what = "the scene has no limits",
                           .where = path,
                           .value = "no [limits]",
                           .allowed = "[limits] in the file, or --limits SUITE"});
@@ -308,7 +308,7 @@ void check_names(const Cases& cases) {
     for (const auto& c : cases) {
         for (const Held& held : c->held) {
             if (!names.insert({held.check->name, c->name}).second) {
-                throw InputError({.what = "two limits of one name",
+                throw InputError({.what = "two limits have the same name",
                                   .where = held.limit.where,
                                   .value = held.check->name + ", " + c->name,
                                   .allowed = "a `name` of its own for each case"});

@@ -95,10 +95,11 @@ std::string with_limits(const std::string& text, const std::filesystem::path& pa
     std::vector<Edit> edits;
     for (const Band& band : bands) {
         if (!band.of->table) {
-            throw InputError({.what = "a [[case]] of several scenes or sizes",
-                              .where = path.string(),
-                              .value = "'" + band.of->name + "'",
-                              .allowed = "a [[case]] for each scene that limits are written for"});
+            throw InputError(
+                {.what = "the [[case]] has several scenes or sizes",
+                 .where = path.string(),
+                 .value = "'" + band.of->name + "'",
+                 .allowed = "one [[case]] for each scene and size whose limits are written"});
         }
         edits.push_back(edit_of(result, suite, band));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits written into the text of a suite, in which everything else stays as it is.
+// Writes limits into the text of a suite and keeps everything else.
 #pragma once
 
 #include "propose.h"
@@ -11,7 +11,7 @@
 namespace dsc::gate {
 
 /// The text of a suite with these limits. Throws InputError if a case shares its [[case]] with
-/// another, and if the new text is no suite.
+/// another, and if the new text is not a suite.
 [[nodiscard]] std::string with_limits(const std::string& text, const std::filesystem::path& path,
                                       const std::vector<Band>& bands);
 

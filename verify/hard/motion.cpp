@@ -102,7 +102,7 @@ HardResult slotted_disc_case() {
          .steps = steps,
          .exact = exact,
          .allowed = 0.1,
-         .happened = "drawn out to " + text(width / h) + " edges, in one piece"},
+         .happened = "stretched to a width of " + text(width / h) + " edges, in one piece"},
         [](const Complex<double>& complex, HardResult& result) {
             expect(result, scenes::interface_outlines(complex).size() == 1, "it is in pieces");
         });

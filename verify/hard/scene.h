@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the hard cases start from, and what they measure at the end.
+// The first complexes of hard cases, and their measures at the end.
 #pragma once
 
 #include "result.h"
@@ -33,17 +33,17 @@ template <class Real>
 Scene<Real> scene_of(const Frame& frame, const Rectangle& domain,
                      std::span<const scenes::Outline> outlines, double h);
 
-/// A grid of squares, columns by rows, each cut in two with diagonals that alternate; a triangle's
-/// phase is that of its middle. `place` may move the grid's points; h is the side of a square.
+/// A grid of squares, columns by rows, each divided by alternating diagonals; the phase of a
+/// triangle is that at its middle. `place` may move the grid's points; h is the side of a square.
 Scene<double> grid_scene(const Rectangle& domain, int columns, int rows,
                          const std::function<Phase(const Point<double>&)>& phase_at,
                          const std::function<Point<double>(const Point<double>&)>& place = nullptr);
 
-/// Symmetric difference of the interface with the exact outlines, over the area of these.
+/// Symmetric difference between the interface and the exact outlines, relative to their area.
 template <class Real>
 double shape_error(const Complex<Real>& complex, std::span<const scenes::Outline> exact);
 
-/// Each point of the outlines through a function.
+/// Maps each point of the outlines by a function.
 std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
                                     const std::function<Point<double>(const Point<double>&)>& map);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Looks over a simulation's shoulder. Nothing that it reports is taken from the library's word: the
-// targets are integrated anew, the interface is derived anew from the phases, and the sign of every
-// triangle is asked of the exact predicate after every step.
+// Checks a simulation independently of the library's own reports: it integrates the targets again,
+// derives the interface from the phases, and computes the sign of every triangle by the exact
+// predicate after every step.
 #pragma once
 
 #include "scene.h"
@@ -15,26 +15,29 @@
 
 namespace dsc::hard {
 
-/// Sees for itself where the vertices are before and after each movement.
+/// Records the positions of the vertices before and after each movement.
 template <class Real>
 class WatchingStage;
 
 struct WatchOptions {
     Rectangle domain;
-    int thorough_every = 1; ///< steps between two calls of `validate`; signs are asked every step
+    int thorough_every =
+        1; ///< steps between two calls of `validate`; signs are checked in every step
 };
 
-/// A simulation that is watched; all that is seen goes into the result.
+/// A watched simulation; its findings are added to the result.
 template <class Real>
 class Watch {
 public:
-    /// `executor`: what runs the steps; none: the sequential one.
+    /// `executor` runs the steps; null: the sequential one.
     Watch(Complex<Real>& complex, const Options<Real>& options, const WatchOptions& watch,
           HardResult& result, std::unique_ptr<Executor<Real>> executor = nullptr);
 
-    /// One step; false once the step gave up or something is broken beyond going on.
+    /// Makes one step. Returns false if the step gave up, or if an error makes further steps
+    /// pointless.
     bool step(const Velocity<Real>& velocity, double time, double dt);
-    /// `count` steps of dt from `time` on, times multiplied and not summed. False as `step`.
+    /// Makes `count` steps of dt from `time` on; times are multiplied, not summed. Returns false as
+    /// `step`.
     bool run(const Velocity<Real>& velocity, double time, double dt, std::uint64_t count);
 
     [[nodiscard]] const StepReport& last() const { return last_; }
@@ -52,7 +55,7 @@ private:
     bool sound_ = true;
 };
 
-/// A shape in a flow, and what it has to be at the end.
+/// A shape in a flow, and its exact shape at the end.
 struct Carried {
     std::string asked;
     std::vector<scenes::Outline> outlines;
@@ -64,19 +67,20 @@ struct Carried {
     double allowed; ///< of `shape_error`
     std::string happened{};
     Rectangle domain = unit_square;
-    int thorough_every = 50; ///< as of a watch
+    int thorough_every = 50; ///< as in WatchOptions
 };
 
-/// Runs it, with no vertex left behind. `more`: what else is measured of the complex at the end.
+/// Runs it; all vertices must arrive. `more`: additional measures of the complex at the end.
 [[nodiscard]] HardResult
 carry(const Carried& advected,
       const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
 
-/// Notes the error against the exact shape, the worst of several; more than is allowed fails.
+/// Records the error from the exact shape, the worst of several; fails if it is larger than
+/// allowed.
 void note_error(HardResult& result, double error, double allowed);
 
-/// The faults that no hard case may have: triangles inverted, vertices lost without being counted.
-/// `reachable`: no vertex may be left behind at all. `too_far`: a step may give up.
+/// Checks the errors that no hard case may have: inverted triangles, and missed vertices that are
+/// not counted. `reachable`: all vertices must arrive. `too_far`: a step may give up.
 enum class Targets { reachable, may_be_missed, too_far };
 void expect_sound(HardResult& result, Targets targets);
 

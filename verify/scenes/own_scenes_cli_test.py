@@ -183,7 +183,7 @@ class Judged(OwnScenes):
 
 class Refused(OwnScenes):
     def test_no_limits(self):
-        self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "without limits",
+        self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "has no limits",
                                                             "[limits]", "--limits"])
 
     def test_a_suite_without_the_scene(self):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of copied submeshes share.
+// Common parts of the tests of copied submeshes.
 #pragma once
 
 #include "support/simulation_testing.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the tests of edits and options share: a disc in a swirl, run in each of the ways that there
-// are.
+// Common parts of the tests of edits and options: a disc in a swirl, run sequentially and by each
+// division.
 #pragma once
 
 #include "support/random/scene.h"
@@ -20,7 +20,7 @@ namespace dsc::test {
 
 inline constexpr double disc_h = 0.03;
 
-// Which of the ways to run: no division is the sequential one.
+// The way to run; no division means sequentially.
 struct Course {
     const char* name;
     const Division* division = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of networks of curves examine: pieces, phases on both sides, areas and angles.
+// Checks of networks of curves: pieces, phases on both sides, areas and angles.
 #pragma once
 
 #include "dsc/geometry/triangle.h"
@@ -52,8 +52,8 @@ double smallest_angle(const Complex<Real>& complex) {
     return smallest;
 }
 
-/// Follows each curve, cut into the promised pieces at the promised points, with its phases on
-/// both sides; there is no other interface.
+/// Checks that each curve is divided at the promised points and has its phases on both sides, and
+/// that there is no other interface.
 template <class Real>
 void expect_curves(const Complex<Real>& complex, const CurveScenery& scenery) {
     const auto found = vertices_by_position(complex);
@@ -96,8 +96,8 @@ void expect_curves(const Complex<Real>& complex, const CurveScenery& scenery) {
     EXPECT_EQ(interface_edge_count(complex), pieces) << "edges of the interface";
 }
 
-/// Valid, constrained Delaunay, without edges longer than so many times the target, and without
-/// traces of how it was made.
+/// Checks that the complex is valid and constrained Delaunay, has no edges longer than this
+/// multiple of the target, and no temporary data of its construction.
 template <class Real>
 void expect_sound(const Complex<Real>& complex, const CurveScenery& scenery, double longest = 1.8) {
     const auto report = validate(complex);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All values of an enum, for tests that try each.
+// All values of an enum, for tests of each value.
 #pragma once
 
 #include "dsc/base/names.h"

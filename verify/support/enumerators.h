@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the compiler knows about the enumerators of an enum, to check that a table of them is
-// complete. In the signature of a template, g++ and clang++ print a number as the enumerator if
-// there is one ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") if there is none.
+// The enumerators of an enum, as known to the compiler, to check that a table of them is complete.
+// In the signature of a template, g++ and clang++ print a number as the enumerator if there is one
+// ("dsc::Integrator::rk4"), and as a cast ("(dsc::Integrator)9") if there is none.
 #pragma once
 
 #include "dsc/base/names.h"
@@ -28,7 +28,7 @@ constexpr std::string_view identifier() {
     return text.starts_with('(') ? "" : text.substr(text.rfind(':') + 1);
 }
 
-/// How many of the numbers from 0 to 63 are enumerators.
+/// The number of enumerators from 0 to 63.
 template <class Enum>
 constexpr std::size_t count_enumerators() {
     return []<std::size_t... number>(std::index_sequence<number...>) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An operation of the library against the literal one of the reference: the same verdict and the
-// same mesh. As in thesis 8.4 to 8.6, the reference works on the submesh copied out, and knows of
-// the rest by flags only.
+// Compares an operation of the library with the literal one of the reference: verdict and mesh must
+// be the same. As in sections 8.4 to 8.6 of the thesis, the reference works on a copy of the
+// submesh, and knows the rest only by flags.
 #pragma once
 
 #include "snapshot.h"
@@ -25,7 +25,7 @@
 
 namespace dsc::test {
 
-/// How often each verdict was given: a test that never meets a verdict does not test it.
+/// Counts of verdicts: a verdict that never occurs is not tested.
 struct Tally {
     std::map<std::pair<std::string, Verdict>, int> verdicts; ///< by operation
     int compared = 0;
@@ -40,8 +40,8 @@ struct Case {
     std::set<Vertex> half_seen; // on the domain boundary, with a part of the star outside
 };
 
-/// The submesh as the reference gets it. Vertices keep their ids, so that "the smaller id first"
-/// means the same in both.
+/// The submesh for the reference. Vertices keep their ids, so "the smaller id first" means the same
+/// in both.
 template <class Real>
 reference::Complex copy_out(const Complex<Real>& complex, const Region& region) {
     reference::Complex K;
@@ -111,7 +111,7 @@ public:
         reference::Complex copied = given_.copied;
         Verdict expected = literal(copied);
         if (expected == Verdict::not_a_simplex) {
-            expected = Verdict::on_submesh_boundary; // it lives outside the submesh
+            expected = Verdict::on_submesh_boundary; // the simplex lies outside the submesh
         }
         ++tally_.verdicts[{operation, verdict}];
         ++tally_.compared;
@@ -147,9 +147,9 @@ public:
     }
 
 private:
-    // What the reference cannot know: the domain boundary outside its submesh, and an edge out
-    // there that a collapse would fall onto (it sees the triangles between invert instead). And
-    // what neither can: whether a gain below rounding is one.
+    // Differences that are allowed because the reference does not know the domain boundary outside
+    // its submesh, or an edge outside onto which a collapse would fall (it finds that the triangles
+    // between would be inverted), and because gains below rounding are undecided.
     bool excused(const std::string& operation, Verdict verdict, Verdict expected,
                  const std::vector<Vertex>& vertices, const reference::Complex& after) const {
         const auto is_pair = [&](Verdict a, Verdict b) {
@@ -188,8 +188,8 @@ private:
     Tally& tally_;
 };
 
-/// Calls `compare(case, random options)` for the complex of each seed, whole ones and submeshes in
-/// turn, until a comparison fails.
+/// Calls `compare(case, random options)` for the complex of each seed, alternately whole and with a
+/// submesh, until a comparison fails.
 template <class Real, class Compare>
 void for_each_case(std::uint64_t first_seed, int count, Compare compare) {
     for (int i = 0; i < count; ++i) {
@@ -220,7 +220,7 @@ void for_each_case(std::uint64_t first_seed, int count, Compare compare) {
     }
 }
 
-/// Every verdict that the semantics allow must have been met.
+/// Checks that every possible verdict has occurred.
 inline void expect_all_met(Tally& tally, const std::string& operation,
                            const std::vector<Verdict>& verdicts, int at_least) {
     for (const Verdict verdict : verdicts) {

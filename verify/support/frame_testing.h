@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// There and back between the world and a frame.
+// Conversions between world coordinates and a frame.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -14,12 +14,12 @@ inline Point<double> to_frame(const Frame& frame, const Point<double>& world) {
     return (world - frame.origin) / frame.unit;
 }
 
-/// Rounds where the origin is not zero.
+/// Rounds if the origin is not zero.
 inline Point<double> to_world(const Frame& frame, const Point<double>& p) {
     return frame.origin + p * frame.unit;
 }
 
-/// `world` is asked in world coordinates, in doubles also for a complex in float.
+/// `world` is called with world coordinates, in doubles also for a complex in float.
 template <class Real>
 Velocity<Real> velocity_in(const Frame& frame, Velocity<double> world) {
     return [frame, world = std::move(world)](std::span<const Point<Real>> positions, Real time,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh that nothing has to be done to.
+// A mesh that needs no edits.
 #pragma once
 
 #include "dsc/complex/complex.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the initial complex examine: places of vertices, sizes, phases.
+// Checks of the initial complex: positions of vertices, sizes, phases.
 #pragma once
 
 #include "dsc/complex/ranges.h"
@@ -22,7 +22,7 @@ struct Scenery {
     double edge_length = 0.05;
 };
 
-/// The place of each point; two vertices never share one.
+/// The vertex at each point; two vertices never have the same position.
 template <class Real>
 std::map<std::pair<Real, Real>, std::uint32_t> vertices_by_position(const Complex<Real>& complex) {
     std::map<std::pair<Real, Real>, std::uint32_t> result;
@@ -45,11 +45,11 @@ std::size_t interface_edge_count(const Complex<Real>& complex) {
 }
 
 /// The sine of the sum of the angles opposite to the edge is not below the slack. Unlike the test
-/// used for flips, this one is relative to the lengths, so that rectangles pass it.
+/// for flips, this one is relative to the lengths, so rectangles pass it.
 template <class Real>
 bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
-    // Plain numbers, here and below: without optimisation, under the sanitizers, vectors of Eigen
-    // take longer than all that is tested.
+    // Scalars, here and below: without optimisation, under the sanitizers, vectors of Eigen take
+    // longer than the tested code.
     struct Place {
         double x, y;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The expected contents of a view of the interface, found from the triangles one by one.
+// The expected contents of a view of the interface, computed from the triangles.
 #pragma once
 
 #include "dsc/algorithm/interface_sight.h"
@@ -43,8 +43,8 @@ DirectedEdges interface_edges(const Complex<Real>& complex) {
     return edges;
 }
 
-/// Empty, or what is wrong with the view. Each directed edge must start at its vertex once, with
-/// the phases that it separates.
+/// The first error of the view; empty if it is correct. Each directed edge must start at its vertex
+/// once, with the phases that it separates.
 template <class Real>
 std::string view_fault(const InterfaceView<Real>& view) {
     DirectedEdges missing = interface_edges(view.complex);
@@ -60,7 +60,7 @@ std::string view_fault(const InterfaceView<Real>& view) {
             return;
         }
         const auto found = missing.find({view.vertices[i].id, view.vertices[to].id});
-        expect(found != missing.end(), i, "an edge that is not there, or twice");
+        expect(found != missing.end(), i, "an edge that does not exist, or occurs twice");
         if (found != missing.end()) {
             expect(found->second == std::pair(left, right), i, "other phases");
             missing.erase(found);
@@ -70,7 +70,7 @@ std::string view_fault(const InterfaceView<Real>& view) {
         const auto& record = view.complex.vertices[view.vertices[i].id];
         expect(view.is_on_boundary(i) == is_boundary(view.complex, view.vertices[i]), i,
                "boundary flag");
-        expect(view.is_feature(i) == ((record.flags & vertex_feature) != 0), i, "corner flag");
+        expect(view.is_feature(i) == ((record.flags & vertex_feature) != 0), i, "feature flag");
         expect(view.is_junction(i) == (view.next[i] == no_id) &&
                    view.is_junction(i) == (view.previous[i] == no_id) &&
                    view.is_junction(i) == !arms_of(view, i).empty(),
@@ -87,7 +87,8 @@ std::string view_fault(const InterfaceView<Real>& view) {
         leave(i, view.next[i], left, right);
         leave(i, view.previous[i], right, left);
         if (view.next[i] < view.size() && !view.is_junction(view.next[i])) {
-            expect(view.previous[view.next[i]] == i, i, "not the one before the one after it");
+            expect(view.previous[view.next[i]] == i, i,
+                   "is not the previous vertex of its next one");
         }
     }
     if (fault.empty() && !missing.empty()) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the operations share: the complex is valid afterwards, or not a byte has
-// changed.
+// Common parts of the tests of operations: afterwards the complex is valid, or no byte has changed.
 #pragma once
 
 #include "snapshot.h"
@@ -31,8 +30,8 @@ Submesh<Real> submesh_of(Complex<Real>& complex, const std::vector<std::uint32_t
     return submesh;
 }
 
-/// `operate(submesh)` returns that verdict and leaves all bytes as they are. No labels:
-/// the whole complex.
+/// Checks that `operate(submesh)` returns that verdict and changes no byte. No labels: the whole
+/// complex.
 template <class Real, class Operate>
 void expect_refused(Complex<Real>& complex, Verdict expected, Operate operate,
                     const std::vector<std::uint32_t>& labels = {}) {
@@ -43,7 +42,7 @@ void expect_refused(Complex<Real>& complex, Verdict expected, Operate operate,
     EXPECT_EQ(before == snapshot(complex), true) << "a refused operation changed the complex";
 }
 
-/// The verdict on a copy whose operation may take this many ids and no more.
+/// The verdict on a copy in which the operation may use only this many ids.
 template <class Real, class Operate>
 Verdict verdict_with_ids(Complex<Real> complex, std::uint32_t vertices, std::uint32_t triangles,
                          Operate operate) {

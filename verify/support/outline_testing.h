@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of shapes and of exact solutions ask of an outline.
+// Functions of outlines for the tests of shapes and of exact solutions.
 #pragma once
 
 #include "dsc/geometry/contacts.h"
@@ -66,7 +66,7 @@ inline double distance_from(const scenes::Outline& outline, const Point<double>&
     return distance_from(std::span(&outline, 1), p);
 }
 
-/// True if no two edges of all the outlines meet, except that neighbours share their common vertex.
+/// Whether no two edges of the outlines meet, except neighbours at their common vertex.
 inline bool is_simple(std::span<const scenes::Outline> outlines) {
     std::vector<Point<double>> points;
     std::vector<NetworkLine> lines;

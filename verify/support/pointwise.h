@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Velocities from functions of a place, and perhaps of the time.
+// Velocities from functions of a point, and optionally of the time.
 #pragma once
 
 #include "dsc/motion/integrator.h"
@@ -10,7 +10,7 @@
 
 namespace dsc::test {
 
-/// Of a function that takes a Point<double>, or that and the time, and returns a Point<double>.
+/// From a function of a Point<double>, or of a point and the time, that returns a Point<double>.
 template <class Real = double, class Field>
 Velocity<Real> pointwise(Field field) {
     return [field = std::move(field)](std::span<const Point<Real>> positions, Real time,
@@ -28,7 +28,7 @@ Velocity<Real> pointwise(Field field) {
     };
 }
 
-/// The same everywhere.
+/// The same velocity everywhere.
 template <class Real = double>
 Velocity<Real> constant(double x, double y) {
     return pointwise<Real>([=](const Point<double>&) { return Point<double>(x, y); });

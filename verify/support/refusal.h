@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is refused, and in which words.
+// Checks of refusals and their messages.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -10,7 +10,7 @@
 
 namespace dsc::test {
 
-/// The sentence of the InputError that `act` throws; empty if it throws none.
+/// The message of the InputError that `act` throws; empty if it throws none.
 template <class Act>
 std::string refusal(Act act) {
     try {
@@ -22,7 +22,7 @@ std::string refusal(Act act) {
     return "";
 }
 
-/// `act` throws an InputError of this place, whose sentence has the words.
+/// Checks that `act` throws an InputError for this place, whose message contains the words.
 template <class Act>
 void expect_refusal(Act act, const std::string& where, const std::string& words = "") {
     const std::string sentence = refusal(act);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the driver share: options, and the conditions that must hold after every step.
+// Common parts of the tests of the driver: options, and conditions that must hold after every step.
 #pragma once
 
 #include "dsc/algorithm/simulation.h"

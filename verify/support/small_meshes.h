@@ -42,8 +42,8 @@ Complex<Real> hexagon() {
 }
 
 /// n x n squares of side 1, each cut in two; vertex (i, j) has the id j (n + 1) + i. Inner vertices
-/// are moved by up to `jitter` in both directions (below 0.2 nothing turns over). Triangles whose
-/// centre is nearer than `radius` to the middle have phase 1, the others 0.
+/// are moved by up to `jitter` in both directions (below 0.2 no triangle is inverted). Triangles
+/// whose centre is nearer than `radius` to the middle have phase 1, the others phase 0.
 template <class Real>
 Complex<Real> grid(std::uint32_t n, double jitter = 0, unsigned seed = 1, double radius = 0) {
     std::mt19937 random(seed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All bytes of a complex, to state "nothing changed"; and its triangles as places, to state "the
-// same mesh" of two that number their vertices differently.
+// All bytes of a complex, to check that nothing changed; and its triangles as positions, to compare
+// two meshes with different numbering.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -44,7 +44,7 @@ std::string snapshot(const Complex<Real>& complex) {
     return bytes;
 }
 
-/// A triangle as its corners' places, counter-clockwise from the smallest, and its phase.
+/// A triangle as the positions of its corners, counter-clockwise from the smallest, and its phase.
 struct PlacedTriangle {
     std::array<std::array<double, 2>, 3> at;
     Phase phase;

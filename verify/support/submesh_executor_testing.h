@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the executor of submeshes share: a disc that grows, and ways to divide it.
+// Common parts of the tests of the executor of submeshes: a growing disc, and divisions of it.
 #pragma once
 
 #include "support/random/scene.h"
@@ -23,8 +23,8 @@
 
 namespace dsc::test {
 
-// A disc that grows, in submeshes of a partitioner; `seen` receives the partition. `prepare` is
-// called before the executor is made.
+// A growing disc in submeshes of a partitioner; `seen` receives the partition. `prepare` is called
+// before the executor is made.
 struct Growing {
     static constexpr double h = 0.02;
 
@@ -44,7 +44,7 @@ struct Growing {
     }
 
     void expect_good() { expect_sound(complex, *simulation); }
-    // What was on its way when a step failed must not arrive in a later one.
+    // Vertices that were moving when a step failed must not arrive in a later step.
     void expect_to_go_on() {
         expect_good();
         EXPECT_EQ(simulation->step(constant<double>(0, 0), 0, 1).operations.moves, 0U);

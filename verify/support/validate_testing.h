@@ -10,11 +10,11 @@
 
 namespace dsc::test {
 
-/// The validator must see a problem, and its words must contain these.
+/// Checks that the validator finds a problem whose message contains these words.
 template <class Real>
 void expect_problem(const Complex<Real>& complex, const std::string& words) {
     const ValidationReport report = validate(complex);
-    EXPECT_FALSE(report.ok()) << "not seen: " << words;
+    EXPECT_FALSE(report.ok()) << "not found: " << words;
     EXPECT_NE(report.problem.find(words), std::string::npos)
         << "expected: " << words << "\nreported: " << report.problem;
     EXPECT_THROW(validate_or_throw(complex), InvariantError);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random options for the tests of the whole method, from the lists of all values that stand beside
-// the enums: a value that is added there is drawn from then on.
+// Random options for the tests of the whole method, from the tables of all values of the enums: new
+// values are drawn automatically.
 #pragma once
 
 #include "scene.h"
@@ -25,7 +25,7 @@ inline PhaseThresholds draw_phase(Dice& dice) {
     return thresholds;
 }
 
-/// Numbers are drawn for some scenes only: most applications keep the defaults.
+/// Numbers are drawn only for some scenes, because most applications keep the defaults.
 inline InterfaceThresholds draw_interface(Dice& dice) {
     InterfaceThresholds interface;
     interface.coarsening = dice.one_of(coarsening_names);
@@ -48,7 +48,7 @@ inline InterfaceThresholds draw_interface(Dice& dice) {
     return interface;
 }
 
-/// Everything that an application can choose, each in the range that check_options allows.
+/// All options of an application, in the ranges that check_options allows.
 template <class Real>
 Options<Real> draw_options(Dice& dice, double h) {
     Options<Real> options;

@@ -26,7 +26,7 @@ namespace dsc::test {
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
-    /// Draws these bytes first, two at a time, and goes on as Dice(0) does: a fuzzer's dice.
+    /// Draws these bytes first, two at a time, and continues as Dice(0): for fuzzers.
     explicit Dice(std::span<const std::uint8_t> loaded) : loaded_(loaded), engine_(0) {}
     double in(double low, double high) {
         return low + (high - low) * (static_cast<double>(draw() >> 11U) * 0x1p-53);
@@ -34,7 +34,7 @@ public:
     int in(int low, int high) {
         return low + static_cast<int>(draw() % static_cast<std::uint64_t>(high - low + 1));
     }
-    /// Two draws as arguments of one call would be made in the order that the compiler likes.
+    /// The order of two draws in the arguments of a call would depend on the compiler.
     Point<double> point(double low, double high) {
         const double y = in(low, high);
         const double x = in(low, high);
@@ -79,8 +79,8 @@ Complex<Real> disc_complex(double h, const Point<double>& centre = {0.5, 0.5},
     return initial_complex<Real>({}, shapes, {.edge_length = h});
 }
 
-/// Stars with one to seven wobbling arms, apart from each other in the cells of a grid; some of
-/// them with a hole of another phase.
+/// Stars with one to seven irregular arms, separated in the cells of a grid; some with a hole of
+/// another phase.
 template <class Real>
 Complex<Real> random_shapes(Dice& dice, double h) {
     const int cells = h < 0.035 ? dice.in(1, 3) : dice.in(1, 2);
@@ -135,7 +135,7 @@ Complex<Real> complex_of_sites(double h, std::span<const Site> sites) {
 }
 
 /// Random phases of the triangles: junctions, pinched vertices, phases at the domain boundary. With
-/// few patches, each phase forms large pieces.
+/// few patches, phases form large pieces.
 template <class Real>
 Complex<Real> random_patches(Dice& dice, double h, int patches) {
     std::vector<Site> sites;
@@ -157,7 +157,7 @@ inline Complex<double> random_grains(int count, double h, std::uint64_t seed) {
     return complex_of_sites<double>(h, sites);
 }
 
-/// What makes a flow wild: none of it has to be followed accurately, all of it has to be survived.
+/// Irregularities of a flow, which the library need not follow accurately but must survive.
 enum class Wildness : std::uint8_t {
     none,
     not_a_number, ///< in a disc
@@ -211,8 +211,8 @@ private:
         double potential; ///< its share of the wave
     };
 
-    // Plain numbers: without optimisation, under the sanitizers, vectors of Eigen take longer here
-    // than all of the library.
+    // Scalars: without optimisation, under the sanitizers, vectors of Eigen take longer here than
+    // the whole library.
     [[nodiscard]] Point<double> at(const Point<double>& p, double time) const {
         const double p_x = p.x();
         const double p_y = p.y();
@@ -267,7 +267,8 @@ std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
     return on;
 }
 
-/// Empty, or what is wrong with a list of the interface's vertices: each must be in it once.
+/// The first error in a list of interface vertices, in which each must occur once; empty if it is
+/// correct.
 template <class Real>
 std::string interface_fault(const Complex<Real>& complex, const std::vector<std::uint32_t>& list) {
     auto on = on_interface(complex);
@@ -285,8 +286,8 @@ std::string interface_fault(const Complex<Real>& complex, const std::vector<std:
     return {};
 }
 
-/// How many steps a test of threads runs: under the thread sanitizer a race shows in the first ones
-/// that divide, hand over and divide anew.
+/// The number of steps of a test of threads: under the thread sanitizer, races show in the first
+/// steps that divide the mesh, hand over vertices and divide it again.
 inline int steps_or_fewer(int steps) { return are_asked_for("few") ? std::min(steps, 5) : steps; }
 
 } // namespace dsc::test

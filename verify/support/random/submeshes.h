@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random ways to divide a complex into submeshes. Everything is drawn before the number of threads
-// is known: the same seed gives the same division for any number of them.
+// Random divisions of a complex into submeshes. Everything is drawn before the number of threads is
+// known, so the same seed gives the same division for any number of threads.
 #pragma once
 
 #include "../enum_values.h"
@@ -41,8 +41,8 @@ inline std::uint32_t number_in(Dice& dice, int low, int high) {
     return static_cast<std::uint32_t>(dice.in(low, high));
 }
 
-/// A partitioner of this family, with small least widths, so that small scenes have many submeshes,
-/// and with a new division after a few steps.
+/// A partitioner of this family, with small minimum widths, so that small scenes have many
+/// submeshes, and with a new division after a few steps.
 template <class Real>
 std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamily family) {
     const double min_width = dice.in(2.0, 8.0);
@@ -56,7 +56,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
                          : family == PartitionFamily::counting ? Slabbing::counting
                                                                : Slabbing::active;
         slabs.submeshes = number_in(dice, 1, 9);
-        // Upright slabs have their own code.
+        // Vertical slabs have their own code.
         slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
         slabs.follow_shape = dice.chance(0.25);
         slabs.min_width = min_width;
@@ -93,8 +93,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
     return nullptr;
 }
 
-/// An executor with a division of any family, which always uses all threads, however little there
-/// is to do.
+/// An executor with a random division, which always uses all threads, even for little work.
 template <class Real>
 std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>& complex,
                                                        const Options<Real>& options,
@@ -107,7 +106,7 @@ std::unique_ptr<SubmeshExecutor<Real>> random_executor(Dice& dice, Complex<Real>
                                                    std::move(partitioner), parallel);
 }
 
-/// A complex and the view of it that a partitioner gets.
+/// A complex and the view of it for a partitioner.
 struct Divided {
     Divided(Complex<double> mesh, double edge_length)
         : complex(std::move(mesh)), h(edge_length), interface(collect_interface(complex)),
@@ -142,7 +141,7 @@ inline Divided random_divided(Dice& dice, bool patches) {
     return divided;
 }
 
-/// The share of the weight that each region of a colour holds.
+/// The fraction of the weight in each region of a colour.
 inline std::vector<double> shares_of(const Divided& divided, std::size_t colour) {
     std::vector<double> shares(divided.regions(colour).size(), 0);
     double total = 0;

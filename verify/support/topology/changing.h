@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation in which the topology may change: the stage and its options travel with it.
+// A simulation in which the topology may change, with its stage and options.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -20,7 +20,7 @@ struct ChangingOptions : Options<Real> {
     TopologyOptions<Real> topology = {};
 };
 
-/// What a step did, to the topology as well.
+/// The report of a step, including changes of topology.
 struct ChangingReport : StepReport {
     std::vector<Event> events;
     AreaAccount area;

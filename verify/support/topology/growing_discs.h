@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two discs that grow into each other: where the topology changes, they merge or meet.
+// Two discs that grow into each other: if the topology may change, they merge or meet.
 #pragma once
 
 #include "support/pointwise.h"
@@ -26,8 +26,8 @@ namespace dsc::test::growing_discs {
 
 inline constexpr double h = 0.02;
 
-/// Two discs of radius 0.1, `gap` apart, side by side in the middle of the unit square; the edges
-/// of their outlines are no longer than `outline_edge`.
+/// Two discs of radius 0.1, `gap` apart, side by side in the middle of the unit square; edges of
+/// their outlines are at most `outline_edge` long.
 inline Complex<double> discs_apart(double gap, double edge_length, Phase second,
                                    double outline_edge) {
     const int n = static_cast<int>(std::ceil(0.2 * std::numbers::pi / outline_edge));
@@ -68,8 +68,8 @@ inline test::ChangingOptions<double> wide(double contact, double edge_length = h
     return result;
 }
 
-/// Steps on, with `after(events of the step)` after each, and returns all events. The complex is
-/// validated after every step.
+/// Makes further steps, with `after(events of the step)` after each, and returns all events.
+/// Validates the complex after every step.
 inline std::vector<Event> run_on(
     Complex<double>& complex, test::ChangingSimulation<double>& simulation,
     const Velocity<double>& velocity, double dt, int steps,

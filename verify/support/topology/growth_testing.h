@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes that grow along their normals in closed form, and how far a simulation is from them.
+// Exact shapes of growth along normals, and the errors of simulations.
 #pragma once
 
 #include "support/simulation_testing.h"
@@ -20,9 +20,8 @@ namespace dsc::test {
 
 using scenes::Outline;
 
-/// The polygon by its corners, grown by one distance and then shrunk by another: arcs where corners
-/// have opened, and otherwise the intersections of the sides' offsets. Right as long as no side
-/// vanishes.
+/// A polygon grown by one distance and then shrunk by another: arcs where corners have opened,
+/// otherwise the intersections of the sides' offsets. Correct as long as no side vanishes.
 inline Outline offset_polygon(const Outline& corners, double growth, double shrinkage = 0) {
     constexpr int chords = 2000;
     Outline offset;
@@ -34,8 +33,8 @@ inline Outline offset_polygon(const Outline& corners, double growth, double shri
         const Point<double> after(out.y(), -out.x());
         const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
         const Point<double> meeting = (before + after) / (1 + before.dot(after));
-        // A tip has an arc about it while it is larger than it was at first; a notch has an arc
-        // about the place from which it receded.
+        // A tip has an arc about it while the shape is larger than at first; a notch has an arc
+        // about the point from which it receded.
         const bool is_tip = turn > 0;
         const Point<double> centre = is_tip ? corners[i] : corners[i] + growth * meeting;
         const double radius = is_tip ? growth - shrinkage : -shrinkage;
@@ -67,7 +66,7 @@ public:
                                                          growth_algorithm(complex, growing))),
           flow_(growth(growing)) {}
 
-    /// In equal steps of at most `step` edge lengths at a speed of 1. Returns the number of
+    /// Grows in equal steps of at most `step` edge lengths at a speed of 1. Returns the number of
     /// vertices that did not arrive.
     std::uint64_t run(double begin, double duration, double step = 0.4) {
         const int steps = static_cast<int>(std::ceil(duration / (step * h_) - 1e-9));
@@ -98,7 +97,7 @@ inline void grow_and_shrink(Complex<double>& complex, double h, double growth, d
     }
 }
 
-/// Relative to the area of the exact shape.
+/// The symmetric difference relative to the area of the exact shape.
 inline double difference(const Complex<double>& complex, const std::vector<Outline>& exact) {
     return scenes::symmetric_difference(scenes::interface_outlines(complex), exact) /
            scenes::signed_area(exact);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small complexes in which the topology may change, and what lies about their vertices.
+// Small complexes in which the topology may change, and the surroundings of their vertices.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -21,7 +21,7 @@ inline constexpr Phase nothing = 99;
 /// Cells of this phase are cut along one diagonal, and all others along both.
 inline constexpr Phase film = 77;
 
-/// A complex of the cells between rows of places.
+/// A complex of the cells between rows of points.
 inline Complex<double> cells_of(const std::vector<std::vector<Point<double>>>& rows,
                                 const PhaseAt& phase_at) {
     std::vector<Point<double>> points;
@@ -79,7 +79,7 @@ inline TopologyOptions<double> changing() {
     return options;
 }
 
-/// Changes the topology with everything suspected and nothing moving, at an edge length of 1.
+/// Changes the topology with all vertices as candidates and without motion, at an edge length of 1.
 inline std::vector<Event> change(Complex<double>& complex,
                                  const TopologyOptions<double>& options = changing()) {
     std::vector<Candidate> candidates;
@@ -122,7 +122,7 @@ inline Meeting meeting_at(const Complex<double>& complex, Vertex v) {
 struct Ends {
     std::vector<Point<double>> on_boundary;
     std::vector<Point<double>> inside;
-    std::size_t crowded = 0; ///< vertices with more than these
+    std::size_t crowded = 0; ///< number of vertices where more curves meet
 };
 
 inline Ends ends_of(const Complex<double>& complex) {
