@@ -32,7 +32,7 @@ def words_of(settings):
 
 
 def measured(program, scene, settings, runs):
-    """The cells of a row: the errors at the end and half-way, the CPU seconds."""
+    """The cells of a row: the errors at the end and half-way, and the CPU seconds."""
     words = [program, "run", scene]
     for key, value in settings.items():
         words += ["--set", f"{key}={value}"]
@@ -54,7 +54,7 @@ def cells(last, half, cpu):
 
 
 def choosing(program, runs):
-    """The single vortex with T = 8: what each choice does to the error."""
+    """The single vortex with T = 8: the effect of each choice on the error."""
     default = {"h": "0.01", "dt": "0.01"}
     lengths = ("0.04", "0.02", "0.01", "0.005")
     rows = (
@@ -76,7 +76,7 @@ def choosing(program, runs):
 
 
 def official(scene):
-    """The cells of the official 2D DSC at h = 0.01; it was not stopped half-way."""
+    """The cells of the official 2D DSC at h = 0.01; its error half-way was not measured."""
     path = os.path.join(ROOT, "reference", "published", "peers.json")
     with open(path, encoding="utf-8") as stream:
         runs = json.load(stream)["entries"]["official_dsc_scenes"]["values"]
@@ -86,7 +86,7 @@ def official(scene):
 
 
 def readme(program, runs):
-    """Three scenes, by the defaults, by other choices, and by the official 2D DSC."""
+    """Three scenes with the defaults, with other choices, and with the official 2D DSC."""
     h = {"h": "0.01"}
     rows = (
         ("swirl", "the defaults", h),
@@ -116,7 +116,7 @@ def errors(table):
 
 
 def differences(page, table):
-    """The rows of the page whose errors are not those of the table, each with what it should be."""
+    """The rows of the page whose errors differ from the table, each with the correct row."""
     old, new = errors(page), errors(table)
     return [f"{a}\n{b}" for a, b in zip(old, new) if a != b] + (
         [] if len(old) == len(new) else [f"{len(old)} rows, not {len(new)}"])
@@ -143,7 +143,7 @@ def main(arguments):
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text[:begin] + "".join(f"{line}\n" for line in table) + text[end:])
     if chosen.check:
-        print("\n".join(differing) or "the errors are those of the tables")
+        print("\n".join(differing) or "all errors agree with the tables")
     return 1 if differing else 0
 
 

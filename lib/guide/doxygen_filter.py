@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the headers as doxygen reads them; the headers themselves stay as they are:
+"""Writes copies of the headers for doxygen, with these changes:
 
 - the comment at the top of a file becomes the description of the file;
-- what a room (a folder of lib/dsc, or a module) declares becomes part of the group of that name;
-- a comment above several functions of one name, or beside an x and a y, is given to all of them.
+- the declarations of a room (a folder of lib/dsc, or a module) belong to the group of that name;
+- a comment above several functions of one name, or beside an x and a y, is repeated for all of them.
 
-No line is added or removed, so that warnings name the right one.
+No line is added or removed, so that warnings have the right line numbers.
 
 usage: doxygen_filter.py SOURCE COPIES HEADER...   (headers within SOURCE, copies within COPIES)"""
 import re
@@ -15,7 +15,7 @@ from pathlib import Path
 
 FUNCTION = re.compile(r"([A-Za-z_]\w*)\s*\(")
 COORDINATE = re.compile(r"\s*[\w<>:() ]+ (?:\w+_)?(?:x|y)(?:0|_next|_previous)?(?: = .+?)?;")
-SAID_ONCE = (  # what is the same wherever it stands
+SAID_ONCE = (  # comments of declarations that are the same everywhere
     (re.compile(r"inline constexpr std::array \w+_names\{"), "The values with their names."),
     (re.compile(r".*constexpr std::string_view to_string\(\w+ \w+\) \{"), "The name of a value."),
     (re.compile(r"\s+\w+& operator\+=\(const \w+& other\)[;{ ]*"), "Adds what another one holds."),
@@ -25,7 +25,7 @@ SAID_ONCE = (  # what is the same wherever it stands
 
 
 def describe_file(lines):
-    """Line 1 names the licence; the comment ends before the first line that is no comment."""
+    """Line 1 is the licence; the description ends before the first line that is not a comment."""
     lines[0] = r"/// \file"
     for i in range(1, len(lines)):
         if not lines[i].startswith("//"):
@@ -42,8 +42,8 @@ def put_into_group(lines, room):
 
 
 def leave_out(lines):
-    """Instantiations are declared elsewhere, a default is what it is everywhere, and what follows
-    the namespace are specialisations of the standard library's."""
+    """Removes instantiations, which are declared elsewhere, defaulted functions, and the specialisations
+    of the standard library after the namespace."""
     inside = False
     for i, line in enumerate(lines):
         inside = inside or line.startswith("extern template")
@@ -67,8 +67,8 @@ def say_once(lines):
 
 
 def share_comments(lines):
-    """In a run of declarations without blank lines and braces, one that has no comment gets that of
-    the function of the same name before it."""
+    """In a sequence of declarations without blank lines and braces, a declaration without a comment
+    gets that of the previous function of the same name."""
     comment = name = ""
     start = 0
     while start < len(lines):

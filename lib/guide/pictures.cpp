@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws the pictures of the guide: `dsc_guide_pictures FOLDER`. The same bytes on every machine, so
-// that a test can compare them with the ones in lib/guide/pictures.
+// Draws the pictures of the guide: `dsc_guide_pictures FOLDER`. The files are the same on every
+// machine, so that a test can compare them with those in lib/guide/pictures.
 #include "dsc/dsc.h"
 #include "geometric_flows/geometric_flows.h"
 #include "thesis/sets/algebra.h"
@@ -83,7 +83,7 @@ void draw_operations() {
     draw_detail(pair, "flip");
 }
 
-// A disc, and what a swirl has made of it after sixty steps.
+// A disc, and its shape after sixty steps in a swirl.
 void draw_swirl() {
     constexpr double h = 0.06;
     const std::vector<Shape> shapes{{circle({0.5, 0.72}, 0.18), 1}};
@@ -103,7 +103,7 @@ void draw_swirl() {
     draw(complex, "swirl");
 }
 
-// Three phases that meet at junctions, before and after the tensions are in balance.
+// Three phases that meet at junctions, before and after relaxation.
 void draw_junctions() {
     const std::vector<Curve> curves{
         {.points = {{0, 0.5}, {0.25, 0.5}}, .left = 2, .right = 0},
@@ -113,7 +113,7 @@ void draw_junctions() {
     auto complex = initial_complex<double>({}, curves, {.edge_length = 0.06});
     draw(complex, "block");
     Options<double> options{.edge_length = 0.06};
-    options.interface.feature_degrees = 180; // curvature smooths every corner
+    options.interface.feature_degrees = 180; // curvature smooths every feature
     Simulation<double> simulation(complex, options);
     const auto flow = curvature_flow<double>({.kept_areas = {{1, phase_area(complex, 1)}}});
     for (int step = 0; step < 100; ++step) {

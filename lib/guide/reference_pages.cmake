@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Runs doxygen over the public headers and the guide; fails where it warns. Run with `cmake -P`.
-# `doxygen` and `python` are the programs, `source` is the folder that holds dsc/, the modules and guide/, `work`
-# the one where pages/ is written, `version` that of the library.
+# Runs doxygen on the public headers and the guide; fails if it warns. Run with `cmake -P`. `doxygen` and `python` are
+# the programs, `source` is the folder that holds dsc/, the modules and guide/, `work` the one where pages/ is written,
+# `version` that of the library.
 cmake_minimum_required(VERSION 3.25)
 include(${source}/dsc/public_headers.cmake)
 file(GLOB pages ${source}/guide/*.md ${source}/guide/*.dox)
@@ -14,7 +14,7 @@ file(REMOVE_RECURSE ${copies})
 execute_process(
     COMMAND ${python} -I -S ${source}/guide/doxygen_filter.py ${source} ${copies} ${all_headers}
     COMMAND_ERROR_IS_FATAL ANY)
-# Doxygen runs its filter twice for each header: what it runs only finds the copy.
+# Doxygen runs its filter twice for each header, so the filter only prints the copy.
 file(WRITE ${work}/filter.sh "exec cat \"${copies}/\${1#${source}/}\"\n")
 list(TRANSFORM all_headers PREPEND ${source}/)
 set(inputs ${pages} ${all_headers})
