@@ -14,9 +14,8 @@
 //                                 # numbers in the unit square; default: the scene's own h
 //     set = { insertion = "linear" }        # keys of `dsc_scene run --set`
 //     strategies = ["sequential", "cells"]  # the default; model: cells; result: sequential
-//     threads = [1, 2]            # of the parallel strategies; or "cores", the default: 1, 2, 4,
-//     ...
-//                                 # and all cores of the machine; result: 1
+//     threads = [1, 2]            # of the parallel ones; default "cores": 1, 2, 4, ... and all
+//                                 # cores of the machine; result: 1
 //     submeshes = 8               # or "threads" or "cores": one for each; default: the strategy's
 //                                 # number, in a step at least one for each thread
 //     dt_over_h = 0.3             # the time step in edge lengths
@@ -30,6 +29,7 @@
 //     same_mesh = true            # option: it must not change the mesh
 //     seeds = [1, 2, 3]           # result: one run for each value of `seed`
 //     rows = [{ measure = "step" }]         # each is a separate case with its keys and those above
+//
 // The same file may have keys of dsc_verify, such as `limits` (verify/gate/suite.h). A single value
 // is a list of one.
 #pragma once

@@ -21,8 +21,8 @@ struct Lens {
 /// Its shape.
 [[nodiscard]] ExactShape lens_shape(const Lens& lens);
 
-/// Four phases that meet in one point at time 0, along straight interfaces at the angles theta, pi
-/// - theta, pi + theta and -theta to the x axis. If the point splits so that the upper and the
+/// Four phases that meet in one point at time 0, along straight interfaces at the angles theta,
+/// pi - theta, pi + theta and -theta to the x axis. If the point splits so that the upper and the
 /// lower phase no longer touch, an edge of length c sqrt(t) opens along the x axis, between two
 /// junctions of 120 degrees, and the motion is self-similar: the curve that leaves the right
 /// junction upwards is y = sqrt(t) u(x / sqrt(t)) with

@@ -2,17 +2,19 @@
 // A vertex p with neighbours a and b is projected to the exact curve, and so are a and b; the exact
 // turn is that of the polyline of the three projections. As these are about as far apart as the
 // vertices, a turn between chords is compared with a turn between chords, and a corner of the exact
-// curve counts wherever it lies between a and b. Projections do not always give the right stretch
-// of the curve:
+// curve counts wherever it lies between a and b.
+//
+// Projections do not always give the right stretch of the curve:
 // - They nearly coincide if vertices outside a corner are all nearest to the corner itself, or if
-// an edge is perpendicular to the curve. The direction between them is then meaningless. - Their
-// order differs from that of the vertices if the polygon folds back. Their polyline would also
-// fold, and the fold would not be detected. So the stretch is measured in arc length: from p's
-// projection back to a's and forward to b's, but in either direction at least a fraction of the
-// edge of the polygon. Short edges of the polygon itself need no exception: if their turn is large,
-// the polygon is jagged. - The nearest point lies on the far side of a filament that is thinner
-// than the error of p. The curve runs in the opposite direction there; a nearby point where it runs
-// in the right direction is used instead.
+//   an edge is perpendicular to the curve. The direction between them is then meaningless.
+// - Their order differs from that of the vertices if the polygon folds back. Their polyline would
+//   also fold, and the fold would not be detected.
+// So the stretch is measured in arc length: from p's projection back to a's and forward to b's, but
+// in either direction at least a fraction of the edge of the polygon. Short edges of the polygon
+// itself need no exception: if their turn is large, the polygon is jagged.
+// - The nearest point lies on the far side of a filament that is thinner than the error of p. The
+//   curve runs in the opposite direction there; a nearby point where it runs in the right direction
+//   is used instead.
 #include "measures/jaggedness.h"
 
 #include "dsc/geometry/points.h"
