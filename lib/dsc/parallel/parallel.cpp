@@ -2,6 +2,7 @@
 #include "dsc/parallel/parallel.h"
 
 #include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/simulation.h"
 #include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
 #include "dsc/parallel/submesh_view.h"
