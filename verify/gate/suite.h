@@ -24,8 +24,7 @@
 //     [case.limits]
 //     area_ratio = 5e-4           # at most, or for qualities and angles at least; or
 //     min_quality = { at_least = 0.26, measured = 0.3, rule = "a tenth below", orders = 51 }
-//     fluid_centre = { around = 1.0819, at_most = 5e-4 }    # a published figure and the allowed
-//     error
+//     fluid_centre = { around = 1.0819, at_most = 5e-4 }    # a published figure; its error
 //
 // The rules: "required" (the default), "half as much again", "a tenth above", "a tenth below",
 // "less 15 %", and "kept" from a better measurement. A limit whose ratio to `measured` does not
