@@ -50,59 +50,6 @@ double phase_area(const Complex<Real>& complex, Phase phase) {
     return sum + lost;
 }
 
-template <class Real>
-Components components(const Complex<Real>& complex) {
-    Components result;
-    std::vector<Corner> constrained;
-    std::vector<Phase> phase_of; // side by side, so that those of neighbours are in the cache
-    phase_of.reserve(complex.triangle_bound());
-    for (const TriangleRecord& triangle : complex.triangles) {
-        phase_of.push_back(triangle.phase);
-    }
-    PartsInPieces parts = label_pieces(complex, [&](Triangle t) {
-        const auto& across = complex.triangles[t.id].n;
-        const auto is_free = [&](std::uint32_t i) {
-            return phase_of[triangle_of(across[i])] == phase_of[t.id];
-        };
-        const std::array joined{is_free(0), is_free(1), is_free(2)};
-        // One branch in place of three unpredictable ones.
-        if (std::ranges::count(joined, true) != 3) [[unlikely]] {
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                if (!joined[i]) {
-                    constrained.push_back(corner_of(t.id, i));
-                }
-            }
-        }
-        return joined;
-    });
-    result.list.resize(parts.count);
-    for (std::uint32_t t = border_triangle + 1; t < parts.of.size();) {
-        const std::uint32_t part = parts.part(t);
-        if (part == no_id) {
-            ++t;
-            continue;
-        }
-        Component component = result.list[part]; // in registers along triangles of one component
-        component.phase = phase_of[t];
-        for (; t < parts.of.size() && parts.part(t) == part; ++t) {
-            parts.of[t] = part;
-            ++component.triangles;
-            component.area += area_in_double(complex, Triangle{t});
-        }
-        result.list[part] = component;
-    }
-    result.of = std::move(parts.of);
-    const auto is_edge = [&](Corner c) { return is_constrained(complex, c); };
-    for_each_loop(
-        complex, HalfEdges(std::move(constrained)), is_edge, [&](std::span<const Corner> outline) {
-            Component& component = result.list[result.of[triangle_of(outline.front())]];
-            ++component.outlines;
-            component.touches_border |=
-                std::ranges::any_of(outline, [&](Corner c) { return is_border(complex.twin(c)); });
-        });
-    return result;
-}
-
 namespace {
 
 // The interface as half-edges that have the larger phase on their left.
@@ -202,7 +149,6 @@ std::vector<InterfaceCurve> interface_curves(const Complex<Real>& complex) {
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::vector<Phase> phases(const Complex<Real>&);                                      \
     template double phase_area(const Complex<Real>&, Phase);                                       \
-    template Components components(const Complex<Real>&);                                          \
     template std::vector<InterfaceCurve> interface_curves(const Complex<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

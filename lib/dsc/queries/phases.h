@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -83,7 +85,9 @@ struct Components {
     std::vector<std::uint32_t> of;
 };
 
-/// The components of all phases, the exterior included. O(triangles).
+/// The components of all phases, the exterior included. Areas are those that the outlines enclose.
+/// O(triangles): one sweep finds the outlines; then all components of a phase but the largest are
+/// filled from theirs. The complex must be valid.
 template <class Real>
 [[nodiscard]] Components components(const Complex<Real>& complex);
 
@@ -93,27 +97,16 @@ struct Parts {
     std::vector<std::uint32_t> of; ///< by id of the triangle; `no_id` where none lives
 };
 
-/// Parts in pieces: `of` has the number of a triangle's piece.
-struct PartsInPieces : Parts {
-    std::vector<std::uint32_t> part_of; ///< by number of the piece
-
-    /// The part of a triangle; `no_id` where none lives. O(1).
-    [[nodiscard]] std::uint32_t part(std::uint32_t triangle) const {
-        return of[triangle] == no_id ? no_id : part_of[of[triangle]];
-    }
-};
-
 /// `joined(triangle)[i]`, i being the index of the corner opposite to an edge, says whether the two
 /// triangles there are in one part; it must be the same for both. It is called once for each
 /// triangle, ascending. O(triangles): one sweep by id, in which a triangle takes the smallest
-/// number of its neighbours before it.
+/// number of its neighbours before it, and a second one for numbers that belong to the same part.
 template <class Real, class Joined>
-[[nodiscard]] PartsInPieces label_pieces(const Complex<Real>& complex, Joined joined) {
-    PartsInPieces parts;
+[[nodiscard]] Parts label_parts(const Complex<Real>& complex, Joined joined) {
+    Parts parts;
     parts.of.resize(complex.triangle_bound(), no_id);
     std::uint32_t* const number_of = parts.of.data();
-    std::vector<std::uint32_t>& same_as = parts.part_of; // a smaller number of the same part, or
-                                                         // itself
+    std::vector<std::uint32_t> same_as; // a smaller number of the same part, or itself
     const auto smallest = [&](std::uint32_t number) {
         while (same_as[number] != number) {
             number = same_as[number] = same_as[same_as[number]];
@@ -154,15 +147,8 @@ template <class Real, class Joined>
     for (std::uint32_t& number : same_as) { // ascending: the smaller one is final already
         number = &number - same_as.data() == number ? parts.count++ : same_as[number];
     }
-    return parts;
-}
-
-/// The same with the parts of all triangles. O(triangles).
-template <class Real, class Joined>
-[[nodiscard]] Parts label_parts(const Complex<Real>& complex, Joined joined) {
-    PartsInPieces parts = label_pieces(complex, joined);
-    for (std::uint32_t t = 0; t < parts.of.size(); ++t) {
-        parts.of[t] = parts.part(t);
+    for (std::uint32_t& number : parts.of) {
+        number = number == no_id ? no_id : same_as[number];
     }
     return parts;
 }
@@ -172,8 +158,7 @@ template <class Real, class Joined>
 class HalfEdges {
 public:
     /// These, in ascending order.
-    explicit HalfEdges(std::vector<Corner> ascending)
-        : all_(std::move(ascending)), is_taken_(all_.size(), 0) {}
+    explicit HalfEdges(std::vector<Corner> ascending) : all_(std::move(ascending)) { index(); }
     /// The half-edges for which `is_edge(corner)` holds. O(triangles).
     template <class Real, class IsEdge>
     HalfEdges(const Complex<Real>& complex, IsEdge is_edge) {
@@ -182,7 +167,7 @@ public:
                 add_if(corner_of(t.id, i), is_edge);
             }
         }
-        is_taken_.resize(all_.size(), 0);
+        index();
     }
     /// The half-edges for which `is_edge(corner)` holds and that begin at the given vertices.
     /// O(their stars).
@@ -193,7 +178,7 @@ public:
         }
         std::ranges::sort(all_);
         all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
-        is_taken_.resize(all_.size(), 0);
+        index();
     }
 
     /// The smallest one that has not been taken; no_id if all have been. Amortised O(1).
@@ -204,11 +189,17 @@ public:
         return first_ < all_.size() ? all_[first_] : no_id;
     }
     /// Takes this one. False if it has been taken before, or is not in the set. O(log their
-    /// number).
+    /// number), and O(1) if their ids are spread evenly.
     bool take(Corner corner) {
-        const auto at =
-            static_cast<std::size_t>(std::ranges::lower_bound(all_, corner) - all_.begin());
-        return at < all_.size() && all_[at] == corner && std::exchange(is_taken_[at], 1) == 0;
+        const std::size_t range = corner >> shift_;
+        if (range + 1 >= begin_.size()) {
+            return false;
+        }
+        const Corner* const all = all_.data();
+        const Corner* const end = all + begin_[range + 1];
+        const Corner* const at = std::lower_bound(all + begin_[range], end, corner);
+        return at != end && *at == corner &&
+               std::exchange(is_taken_[static_cast<std::size_t>(at - all)], 1) == 0;
     }
 
 private:
@@ -219,7 +210,24 @@ private:
         }
     }
 
-    std::vector<Corner> all_; ///< ascending
+    // Divides the ids of corners into as many ranges as there are half-edges, so that few are in
+    // each of them.
+    void index() {
+        is_taken_.resize(all_.size(), 0);
+        if (all_.empty()) {
+            return;
+        }
+        shift_ = static_cast<int>(std::bit_width(all_.back() / all_.size()));
+        begin_.resize((all_.back() >> shift_) + 2, 0);
+        for (const Corner corner : all_) {
+            ++begin_[(corner >> shift_) + 1];
+        }
+        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    }
+
+    std::vector<Corner> all_;          ///< ascending
+    std::vector<std::uint32_t> begin_; ///< where the corners of each range of ids begin in `all_`
+    int shift_ = 0;                    ///< a range has two to this power corners
     std::vector<std::uint8_t> is_taken_;
     std::size_t first_ = 0; ///< all before it have been taken
 };
