@@ -18,14 +18,14 @@ template <class Real>
 /// The corner at the same vertex in the next triangle, counter-clockwise. `border_corner` where the
 /// domain ends. O(1).
 template <class Real>
-[[nodiscard]] Corner corner_ccw(const Complex<Real>& complex, Corner c) {
+[[nodiscard, gnu::always_inline]] inline Corner corner_ccw(const Complex<Real>& complex, Corner c) {
     const Corner across = complex.twin(next(c));
     return is_border(across) ? border_corner : next(across);
 }
 
 /// The same, clockwise. O(1).
 template <class Real>
-[[nodiscard]] Corner corner_cw(const Complex<Real>& complex, Corner c) {
+[[nodiscard, gnu::always_inline]] inline Corner corner_cw(const Complex<Real>& complex, Corner c) {
     const Corner across = complex.twin(prev(c));
     return is_border(across) ? border_corner : prev(across);
 }

@@ -147,15 +147,24 @@ private:
         return gathered && star_.owned;
     }
 
-    // --- stars listed for `watch_quality` ---------------------------------------------- Called
-    // after the last edit of a star in this pass. If one of its triangles changes later, another
-    // vertex of the triangle is listed.
+    // --- stars listed for `watch_quality` -----------------------------------------------------
+    // Called after the last edit of a star in this pass. If one of its triangles changes later,
+    // another vertex of the triangle is listed. Not inlined: few stars are listed, and the code
+    // would crowd the loops that call it.
+    [[gnu::noinline]] void list_poor(std::uint32_t v) { work_.poor.push_back(v); }
     void list_if_poor(std::uint32_t v, Real quality) {
         if (static_cast<double>(quality) <= work_.watched_quality) [[unlikely]] {
-            work_.poor.push_back(v);
+            list_poor(v);
         }
     }
     void list_unexamined(std::uint32_t v) { list_if_poor(v, Real(0)); }
+    // After a flip, where `v` is at `here`, opposite to the edge that was there before.
+    [[gnu::noinline]] void list_flip(std::uint32_t v, const Point<Real>& here,
+                                     const Point<Real>& from, const Point<Real>& across,
+                                     const Point<Real>& to) {
+        list_if_poor(v, std::min(quality_squared<Real>(here, from, across),
+                                 quality_squared<Real>(here, across, to)));
+    }
 
     // --- flips --------------------------------------------------------------------------------
     bool flip_incident_edges() {
@@ -234,8 +243,7 @@ private:
             }
             rewire::flip(complex_, work_.log, c);
             if (work_.watched_quality >= 0) {
-                list_if_poor(near.v[i], std::min(quality_squared<Real>(here, from, across),
-                                                 quality_squared<Real>(here, across, to)));
+                list_flip(near.v[i], here, from, across, to);
             }
             ++flips;
             candidates.push_back(c);
