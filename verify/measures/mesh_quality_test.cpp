@@ -4,6 +4,7 @@
 
 #include "dsc/algorithm/simulation.h"
 #include "dsc/algorithm/stage.h"
+#include "dsc/base/archive.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/parallel/executors.h"
@@ -178,6 +179,56 @@ TEST(QualityWatch, IsALookAtAllAfterEachStep) {
     Options<float> in_float;
     in_float.edge_length = 0.03F;
     expect_a_look_at_all<float>(in_float, &cells_division);
+}
+
+// A mesh that is restored may be worse than what was looked at.
+TEST(QualityWatch, LooksAtAllAfterARestore) {
+    auto worse = test::disc_complex<double>(0.03);
+    auto complex = worse;
+    const Options<double> options{.edge_length = 0.03};
+    Simulation<double> other(worse, options);
+    const dsc::Velocity<double> shear = [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {positions[i].y() - 0.5, 0};
+        }
+    };
+    for (int step = 0; step < 40; ++step) {
+        other.step(shear, 0, 0.05);
+    }
+    Simulation<double> simulation(complex, options);
+    QualityWatch<double> watch(simulation);
+    const double first = watch.look().min_quality;
+    Archive written;
+    other.archive(written);
+    Archive read(written.bytes(), "of the other simulation");
+    simulation.archive(read);
+    const double all = measure_worst(complex).min_quality;
+    ASSERT_LT(all, first) << "nothing to be found";
+    EXPECT_EQ(watch.look().min_quality, all);
+}
+
+// An application that asks for a watch and never takes what was found.
+TEST(QualityWatch, ListsNoMoreThanTheMeshHasTriangles) {
+    auto complex = test::disc_complex<double>(0.1);
+    Options<double> options;
+    options.edge_length = 0.1;
+    Simulation<double> simulation(complex, options);
+    simulation.watch_quality(1); // every star
+    const dsc::Velocity<double> turn = [](auto positions, double, auto velocities) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = {0.5 - positions[i].y(), positions[i].x() - 0.5};
+        }
+    };
+    for (int step = 0; step < 200; ++step) {
+        simulation.step(turn, 0, 0.05);
+    }
+    const auto all = simulation.take_poor();
+    EXPECT_LE(all.size(), 2 * complex.triangle_bound());
+    EXPECT_NE(std::ranges::find(all, no_id), all.end()) << "says that the list is not whole";
+    simulation.step(turn, 0, 0.05);
+    const auto some = simulation.take_poor();
+    EXPECT_FALSE(some.empty());
+    EXPECT_EQ(std::ranges::find(some, no_id), some.end());
 }
 
 } // namespace

@@ -353,6 +353,9 @@ void Executor<Real>::collect_edits() {
         append(poor_, work->poor);
         work->poor.clear();
     }
+    if (poor_.size() > complex_.triangle_bound()) { // nobody takes it: a look at all costs less
+        poor_.assign(1, no_id);
+    }
     if (whole_.log.readers == 0) {
         return;
     }
@@ -399,6 +402,9 @@ OperationCounts Executor<Real>::take_counts() {
 template <class Real>
 void Executor<Real>::archive(Archive& archive) {
     archive(whole_, epoch_, steps_, is_kept_up_);
+    if (archive.is_reading()) { // another mesh, of which nothing has been looked at
+        poor_.assign(1, no_id);
+    }
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

@@ -57,12 +57,14 @@ enum class MoveOutcome : std::uint8_t {
 /// Moves by less than this share of the way are not made: rounding would outweigh them.
 inline constexpr double min_fraction = 1e-3;
 
-/// A vertex has arrived within this many units in the last place of its coordinates, or of an edge
-/// length where coordinates are small: targets are sums of a few terms and no more accurate.
+/// A vertex counts as arrived once it is this near to its target: so many units in the last place
+/// of the target's largest coordinate, or of the edge length if that is larger. A target is the sum
+/// of several rounded terms, so that a shorter distance says nothing.
 inline constexpr int arrival_units = 8;
 
-/// Whether a vertex is at its target, up to rounding. Sheets whose targets coincide approach them
-/// by about half of the way at a time. O(1).
+/// Whether a vertex has arrived at its target, up to rounding. Two sheets of the interface whose
+/// targets coincide never meet there exactly: each move takes a vertex about half of the distance
+/// that is left. Without this test such vertices would count as unreached. O(1).
 template <class Real>
 bool is_at(const Point<Real>& position, const Point<Real>& target, Real edge_length) {
     const Real scale = std::max(target.cwiseAbs().maxCoeff(), edge_length);
