@@ -5,6 +5,7 @@
 #include "support/refusal.h"
 
 #include "dsc/algorithm/stage.h"
+#include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/base/verdict.h"
 #include "dsc/operations/edge_split.h"
@@ -215,10 +216,106 @@ TEST_P(Refinement, GoesOnUntilNoEdgeIsFarTooLong) {
     EXPECT_LT(too_long, complex.triangle_count() / 30);
 }
 
+// The edits that the application and the sub-steps make reach all listeners once, whatever a
+// listener throws.
+TEST_P(FailedSteps, OfAListenerLeaveNoGapInTheEditsOfAnother) {
+    Complex<double> complex = disc();
+    Complex<double> replica = complex;
+    auto simulation = test::make_simulation(complex, {.edge_length = disc_h}, GetParam());
+    bool breaks = false;
+    simulation->add_listener([&](std::span<const Edit> /*edits*/) {
+        if (breaks) {
+            throw std::domain_error("as seeded");
+        }
+    });
+    simulation->add_listener([&](std::span<const Edit> edits) {
+        EXPECT_EQ(replay<double>(replica, edits).skipped, 0U);
+    });
+    for (int step = 0; step < 6; ++step) {
+        const Edge edge = complex.edge(next(complex.vertices[simulation->interface()[0]].corner));
+        EXPECT_EQ(edge_split(complex, edge).verdict, Verdict::legal);
+        breaks = step % 2 == 0;
+        if (breaks) {
+            EXPECT_THROW((void)simulation->step(test::swirl, 0, 0.02), std::domain_error);
+        } else {
+            (void)simulation->step(test::swirl, 0, 0.02);
+        }
+        EXPECT_EQ(mesh_hash(replica), mesh_hash(complex)) << "step " << step;
+    }
+}
+
+// What a listener edits is told after what it is being told.
+TEST(Listeners, MayEditTheComplex) {
+    Complex<double> complex = disc();
+    Complex<double> replica = complex;
+    Simulation<double> simulation(complex, {.edge_length = disc_h});
+    const auto touch_all = [&] {
+        for (const Vertex v : vertices(complex)) {
+            complex.set_position(v, complex.position(v));
+        }
+    };
+    int calls = 0;
+    simulation.add_listener([&](std::span<const Edit> /*edits*/) {
+        if (++calls == 1) {
+            for (int i = 0; i < 10; ++i) { // so that the journal needs more room
+                touch_all();
+            }
+        }
+    });
+    simulation.add_listener(
+        [&](std::span<const Edit> edits) { (void)replay<double>(replica, edits); });
+    touch_all();
+    for (int step = 0; step < 3; ++step) {
+        (void)simulation.step(test::swirl, 0, 0.02);
+    }
+    EXPECT_EQ(mesh_hash(replica), mesh_hash(complex));
+}
+
+TEST(Options, AreTheOldOnesWhereAFunctionOfNewOnesFails) {
+    Complex<double> complex = disc();
+    Simulation<double> simulation(complex, {.edge_length = disc_h});
+    Options<double> wrong{.edge_length = disc_h, .sizes = {.growth = 1.3}, .tolerance = 1e-3};
+    wrong.sizes.by_place = [](const Point<double>& /*place*/, double, Phase) { return -1.0; };
+    EXPECT_THROW(simulation.set_options(wrong), InputError);
+    EXPECT_TRUE(simulation.options().sizes.is_uniform());
+    EXPECT_NE(simulation.options().tolerance, wrong.tolerance);
+    EXPECT_NO_THROW((void)simulation.step(test::swirl, 0, 0.02));
+    test::expect_sound(complex, simulation);
+}
+
 class Standing final : public Stage<double> {
 public:
     void run(const Between<double>& /*between*/) override {}
 };
+
+// What would change a step while it runs is refused, whoever calls it from there.
+TEST(Steps, RefuseWhatBelongsBetweenThem) {
+    Complex<double> complex = disc();
+    Options<double> options{.edge_length = disc_h};
+    Simulation<double> simulation(complex, options);
+    Archive archive;
+    simulation.archive(archive);
+    int refused = 0;
+    const auto try_all = [&] {
+        EXPECT_THROW((void)simulation.step(test::swirl, 0, 0.01), InputError);
+        EXPECT_THROW(simulation.set_options(options), InputError);
+        EXPECT_THROW(simulation.add_listener([](auto) {}), InputError);
+        EXPECT_THROW(simulation.add_stage(std::make_shared<Standing>()), InputError);
+        Archive again(archive.bytes(), "what was written before the step");
+        EXPECT_THROW(simulation.archive(again), InputError);
+        ++refused;
+    };
+    simulation.add_listener([&](std::span<const Edit> /*edits*/) { try_all(); });
+    const Velocity<double> asks = [&](auto positions, double time, auto velocities) {
+        try_all();
+        test::swirl(positions, time, velocities);
+    };
+    (void)simulation.step(asks, 0, 0.02);
+    EXPECT_GE(refused, 2);
+    EXPECT_NO_THROW(simulation.set_options(options)) << "between two steps";
+    EXPECT_THROW((void)simulation.step(asks, 0, -1), InputError);
+    EXPECT_NO_THROW(simulation.set_options(options)) << "after one that was refused";
+}
 
 TEST(Stages, BelongToOneSimulationAtATime) {
     Complex<double> one = disc();

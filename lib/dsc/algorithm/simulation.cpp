@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 namespace dsc {
@@ -71,26 +72,48 @@ Simulation<Real>::~Simulation() {
 
 template <class Real>
 void Simulation<Real>::set_options(const Options<Real>& options) {
+    expect_between_steps("Simulation::set_options");
     check_for(complex_, options);
     for (const auto& stage : stages_) {
         stage->check(complex_, options);
     }
-    const bool is_another = options.integrator != options_.integrator ||
-                            options.custom_integrator != options_.custom_integrator;
-    const bool was_uniform = options_.sizes.is_uniform();
-    options_ = options;
+    const Options<Real> before = std::exchange(options_, options);
+    try {
+        begin_options(before);
+    } catch (...) { // a function of the new options threw, or returned no length
+        options_ = before;
+        begin_options(options);
+        throw;
+    }
+    if (options.integrator != before.integrator ||
+        options.custom_integrator != before.custom_integrator) {
+        forget();
+    }
+}
+
+// Makes the integrator, executor, stages and edge lengths follow the options, which replace others.
+template <class Real>
+void Simulation<Real>::begin_options(const Options<Real>& before) {
     begin_integrator();
     executor_->set_options(completed());
     for (const auto& stage : stages_) {
-        stage->begin(complex_, options);
+        stage->begin(complex_, options_);
     }
-    if (is_another) {
-        forget();
-    }
-    if (!was_uniform) {
+    if (!before.sizes.is_uniform()) {
         executor_->resize(out_of_size(complex_, options_)); // sizes may have become uniform
     }
     measure(0);
+}
+
+// What replaces or lengthens what a step is going through is refused while it does.
+template <class Real>
+void Simulation<Real>::expect_between_steps(const char* where) const {
+    if (is_in_step_) {
+        throw InputError({.what = "a step of this simulation is running",
+                          .where = where,
+                          .value = "a call by its flow, a stage or a listener",
+                          .allowed = "calls between two steps"});
+    }
 }
 
 template <class Real>
@@ -139,12 +162,14 @@ void Simulation<Real>::sweep() {
 
 template <class Real>
 void Simulation<Real>::add_listener(EditListener listener) {
+    expect_between_steps("Simulation::add_listener");
     listeners_.push_back(std::move(listener));
     executor_->keep_edits(true);
 }
 
 template <class Real>
 void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
+    expect_between_steps("Simulation::add_stage");
     if (stage == nullptr) {
         throw InputError({.what = "null stage",
                           .where = "Simulation::add_stage",
@@ -166,13 +191,22 @@ void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
     stages_.back()->has_simulation_ = true;
 }
 
+// All listeners, also those after one that throws: a log of edits may have no gaps.
 template <class Real>
 void Simulation<Real>::tell(std::span<const Edit> edits) {
     if (edits.empty()) {
         return;
     }
+    std::exception_ptr thrown;
     for (const EditListener& listener : listeners_) {
-        listener(edits);
+        try {
+            listener(edits);
+        } catch (...) {
+            thrown = thrown ? thrown : std::current_exception();
+        }
+    }
+    if (thrown) {
+        std::rethrow_exception(thrown);
     }
 }
 
@@ -191,8 +225,11 @@ void Simulation<Real>::absorb(By by, Real time) {
     if (absorbed_ == journal.records.size()) {
         return;
     }
-    const auto edits = std::span<const Edit>(journal.records).subspan(absorbed_);
-    tell(edits);
+    // A copy: listeners and stages may edit the complex, for the next call.
+    const std::size_t seen = journal.records.size();
+    const auto first = journal.records.begin();
+    absorbing_.assign(first + static_cast<std::ptrdiff_t>(absorbed_), journal.records.end());
+    const std::span<const Edit> edits(absorbing_);
     executor_->absorb(edits);
     const auto after = edits_after_renumbering(edits);
     if (after.size() != edits.size()) { // attributes may be others
@@ -222,11 +259,13 @@ void Simulation<Real>::absorb(By by, Real time) {
             forget_past(std::span(&edit.vertex.id, 1));
         }
     }
-    absorbed_ = journal.records.size();
+    absorbed_ = seen;
     if (journal.readers == 1) {
-        journal.records.clear();
+        journal.records.erase(journal.records.begin(),
+                              journal.records.begin() + static_cast<std::ptrdiff_t>(seen));
         absorbed_ = 0;
     }
+    tell(edits); // last, because a listener may throw: nothing is absorbed or told twice
 }
 
 // After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
@@ -323,6 +362,13 @@ StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real 
                           .value = "advected_phases with an InterfaceFlow or InterfaceMotion",
                           .allowed = "a Velocity, or no advected_phases"});
     }
+    expect_between_steps("Simulation::step");
+    struct InStep {
+        explicit InStep(bool& is_in_step_in) : is_in_step(is_in_step_in) { is_in_step = true; }
+        ~InStep() { is_in_step = false; }
+        bool& is_in_step;
+    };
+    const InStep in_step(is_in_step_);
     StepReport report;
     absorb(By::application, time);
     complex_.journal.counts = {}; // of the application
@@ -515,6 +561,7 @@ void Simulation<Real>::forget() {
 
 template <class Real>
 void Simulation<Real>::archive(Archive& archive) {
+    expect_between_steps("Simulation::archive");
     as_a_whole(archive, [this](Archive& each) { transfer(each); });
 }
 

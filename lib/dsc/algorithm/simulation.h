@@ -89,8 +89,9 @@ private:
 /// A simulation of a complex. Keeps a reference to the complex, which must outlive it, and a copy
 /// of the options. Between two steps the application may edit the complex by the public operations
 /// (and `set_position`, `set_phase`, `renumber`): the next step takes account of these changes. Not
-/// thread-safe itself. Only one simulation per complex at a time: the constructors throw InputError
-/// if another one exists.
+/// thread-safe itself. While a step runs, `step`, `set_options`, `add_listener`, `add_stage` and
+/// `archive` throw InputError. Only one simulation per complex at a time: the constructors throw
+/// InputError if another one exists.
 template <class Real>
 class Simulation : public Unmovable {
 public:
@@ -118,7 +119,8 @@ public:
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
     /// beginning of the next step, those of a step after each of its sub-steps. The records and
-    /// their order are the same for any number of threads. Without a listener there is no cost.
+    /// their order are the same for any number of threads. What a listener throws comes out of the
+    /// step, after all listeners have been told. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
     /// From now on steps note where they may leave triangles of this quality (equation 4) or less.
@@ -127,9 +129,10 @@ public:
     void watch_quality(double quality);
     /// Vertices whose stars hold all triangles of the watched quality or less that steps have made
     /// or changed since the last call, and some others; with duplicates, and some may have
-    /// vanished. `no_id` is among them if the mesh was replaced, by `renumber` or by create and
-    /// merge. Edits of the application between steps belong to the next step. Valid until the next
-    /// call. O(their number).
+    /// vanished. `no_id` is among them if all stars must be examined: after `renumber`, a restore
+    /// or create and merge, and once the list has grown longer than the mesh has triangles. Edits
+    /// of the application between steps belong to the next step. Valid until the next call. O(their
+    /// number).
     [[nodiscard]] std::span<const std::uint32_t> take_poor();
 
     /// Runs the stage after each sub-step from now on, after the stages that were added before, and
@@ -197,6 +200,8 @@ private:
 
     enum class By : std::uint8_t { application, stage };
     void absorb(By by, Real time);
+    void begin_options(const Options<Real>& before);
+    void expect_between_steps(const char* where) const;
     std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, bool has_missed);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void begin_integrator();
@@ -220,6 +225,8 @@ private:
     std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
     LogReader reading_;                    ///< of the journal, while the simulation lives
     std::size_t absorbed_;                 ///< records of the journal that have been read
+    std::vector<Edit> absorbing_;          ///< scratch of absorb
+    bool is_in_step_ = false;
     const std::atomic<bool>* interrupted_ = nullptr;
     Real max_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`
     std::uint32_t short_ = 0; ///< sub-steps of this step that the tolerance made very short
