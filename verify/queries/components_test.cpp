@@ -3,6 +3,7 @@
 #include "support/random/complex.h"
 #include "support/small_meshes.h"
 
+#include "dsc/geometry/triangle.h"
 #include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>

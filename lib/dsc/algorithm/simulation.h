@@ -120,7 +120,8 @@ public:
     /// Reports all edits to the listener from now on: those of the application between steps at the
     /// beginning of the next step, those of a step after each of its sub-steps. The records and
     /// their order are the same for any number of threads. What a listener throws comes out of the
-    /// step, after all listeners have been told. Without a listener there is no cost.
+    /// step, after all listeners have been told. A listener should not edit the complex: its edits
+    /// are told at the beginning of the next step. Without a listener there is no cost.
     void add_listener(EditListener listener);
 
     /// From now on steps note where they may leave triangles of this quality (equation 4) or less.
