@@ -113,6 +113,41 @@ TEST(InitialDetail, ADoubledPointMakesNoNeedles) {
     }
 }
 
+// Neither end of a short edge may go, or the shape would lose too much of its area.
+TEST(InitialDetail, BothEndsOfAShortEdgeBecomeOnePoint) {
+    const auto scaled = [](std::vector<Point<double>> points) {
+        for (Point<double>& p : points) {
+            p = Point<double>(0.5, 0.5) + h * p;
+        }
+        return points;
+    };
+    // A blade of a contour plot.
+    const auto blade = scaled({{0.075, -0.001},
+                               {0.856, -0.01},
+                               {1.637, -0.012},
+                               {2.419, -0.009},
+                               {3.166, 0},
+                               {2.419, 0.076},
+                               {1.637, 0.103},
+                               {0.856, 0.08},
+                               {0.075, 0.011},
+                               {0, 0}});
+    const auto [complex, report] = thinned<Shape>({{blade, 1}});
+    const double area = scenes::signed_area(blade);
+    EXPECT_GT(report.thinned, 0U);
+    EXPECT_NEAR(phase_area(complex, 1), area, 1e-3 * area);
+    EXPECT_GT(test::smallest_angle(complex), 5);
+    // Beside the upper one of the two points, there is no room for another one.
+    const auto tips =
+        scaled({{-0.6, 0}, {-0.08, -0.08}, {0.08, -0.08}, {0.6, 0}, {0.08, 0.08}, {-0.08, 0.08}});
+    const auto above = scaled({{-5, 0.085}, {5, 0.085}, {5, 5}, {-5, 5}});
+    const auto both = thinned<Shape>({{tips, 1}, {above, 2}});
+    EXPECT_EQ(both.report.thinned, 1U);
+    EXPECT_NEAR(both.report.area_changed, 0, 1e-15);
+    EXPECT_NEAR(phase_area(both.complex, 1), scenes::signed_area(tips), 1e-15);
+    EXPECT_TRUE(validate(both.complex).ok());
+}
+
 // Curves that meet: their ends stay, and two curves between the same ends stay two.
 TEST(InitialDetail, EndsOfCurvesStay) {
     std::vector<Point<double>> arc;

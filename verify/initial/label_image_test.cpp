@@ -168,6 +168,19 @@ TEST(LabelImage, PixelsThatShareACornerAlone) {
     EXPECT_LT(area_error(noisy, noise), 1e-2);
 }
 
+// A pixel that is much smaller than an edge hangs on its grain by a corner: it goes, its area
+// stays.
+TEST(LabelImage, PixelsThatHangOnAGrainByACorner) {
+    const auto image = painted(40, 40, [](double x, double y) {
+        const bool hangs = std::abs(x - 20.5) < 0.5 && std::abs(y - 20.5) < 0.5;
+        return (x < 20 && y < 20) || hangs ? 1U : 2U;
+    });
+    InputReport report;
+    const auto complex = initial_complex<double>({}, image, {.edge_length = 0.25}, &report);
+    EXPECT_EQ(report.dropped, 1U);
+    EXPECT_LT(area_error(complex, image), 1e-3);
+}
+
 TEST(LabelImage, SmallGrainsGoToTheirLongestNeighbour) {
     const auto phase = [](double x, double y) {
         const bool is_small = std::abs(x - 21) < 2 && std::abs(y - 20) < 2;

@@ -38,7 +38,8 @@ class Shapes(unittest.TestCase):
         for given, area in [(OUTER, .36), ([OUTER, HOLE], .32), (polygon, .32), ([polygon], .32), (parts, .33),
                             (feature, .32), (polygon.__geo_interface__, .32),
                             (Geometry("FeatureCollection", features=[feature]), .32),
-                            (Geometry("GeometryCollection", geometries=[polygon.__geo_interface__]), .32)]:
+                            (Geometry("GeometryCollection", geometries=[polygon.__geo_interface__]), .32),
+                            (Geometry("LinearRing", coordinates=OUTER), .36)]:
             self.assertEqual(areas({3: given}), {3: area})
 
     def test_a_frame_is_a_coverage(self):
@@ -112,12 +113,17 @@ class Labels(unittest.TestCase):
         self.assertEqual({k: round(v, 6) for k, v in mesh.areas.items()}, {1: .333333, 2: .666667})
         self.assertEqual(mesh.input_report.dropped, 1)
         self.assertFalse(mesh.validate())
+        mesh = dsc.from_labels(labels == 2, edge_length=.25)
+        self.assertEqual({k: round(v, 5) for k, v in mesh.areas.items()}, {0: 5, 1: 7})
 
     def test_what_is_refused(self):
         hidden = np.ma.masked_equal([[1, 2], [9, 9]], 9)
         for labels, options, words in [(hidden, {}, "labels: masked entries: got 2 of 4"),
-                                       ([[1, -1]], {}, "labels: not an array of numbers"),
-                                       ([1, 2], {}, "labels: not an array of numbers"),
+                                       ([["a"]], {}, "labels: not an array of numbers"),
+                                       ([[1, -1]], {}, "labels: a number out of range: got -1"),
+                                       ([[1, 2.0]], {}, "labels: numbers that need not be whole: got float64"),
+                                       ([1, 2], {}, r"labels: an array of another shape: got \(2,\)"),
+                                       (np.zeros((4, 4, 3)), {}, r"labels: an array of another shape: got \(4, 4, 3\)"),
                                        ([[1, 2]], {"min_pixels": -1}, "min_pixels: not a count"),
                                        ([[1, 2]], {"detail": "fine"}, "detail"),
                                        (np.zeros((0, 3), int), {}, "no pixels")]:

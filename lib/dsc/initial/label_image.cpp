@@ -50,7 +50,7 @@ Complex<Real> initial_complex(const Rectangle& domain, const LabelImage& image,
     const bool is_thinned = options.detail == Detail::thin;
     initial::drop_small_grains(
         left, pixel, is_thinned ? initial::finest_edge * options.edge_length : 0, dropped);
-    const std::vector<Curve> curves = initial::curves_of(left, domain);
+    const std::vector<Curve> curves = initial::curves_of(left, image, domain);
     InputReport found;
     Complex<Real> complex;
     if (curves.empty() && left.labels.front() != exterior_phase) {

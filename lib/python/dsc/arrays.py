@@ -52,12 +52,20 @@ def point(value, where):
 
 
 def whole_numbers(value, where, shape, dimensions):
-    """An array of non-negative numbers of 32 bits. Raises InputError."""
+    """An array of non-negative numbers of 32 bits; of truth values, 0 and 1. Raises InputError."""
     array = numbers(value, where)
-    if array is None or array.dtype.kind not in "iu" or array.ndim != dimensions or (
-            array.size and not 0 <= array.min() <= array.max() <= LARGEST):
-        refuse("not an array of numbers of 32 bits", where, shown(value),
-               f"whole numbers from 0 of the shape {shape}")
+    allowed = f"whole numbers from 0 of the shape {shape}"
+    if array is None:
+        refuse("not an array of numbers", where, shown(value), allowed)
+    if array.ndim != dimensions:
+        refuse("an array of another shape", where, array.shape, allowed)
+    if array.dtype.kind == "b":
+        return array.astype(np.uint8)
+    if array.dtype.kind == "f":
+        refuse("numbers that need not be whole", where, array.dtype, f"{allowed}, such as `array.astype(int)`")
+    if array.size and not 0 <= array.min() <= array.max() <= LARGEST:
+        refuse("a number out of range", where, array.min() if array.min() < 0 else array.max(),
+               f"whole numbers from 0 to {LARGEST}")
     return array
 
 
@@ -133,8 +141,10 @@ def _geometry(value, where):
     if kind in ("FeatureCollection", "GeometryCollection"):
         parts = value["features" if kind == "FeatureCollection" else "geometries"]
         return [one for k, part in enumerate(parts) for one in _geometry(part, f"{where}[{k}]")]
+    if kind == "LinearRing":
+        return [(where, flat_points(value["coordinates"], where), [])]
     if kind not in ("Polygon", "MultiPolygon"):
-        refuse("a geometry without an area", where, kind, "Polygon, MultiPolygon, or collections of them")
+        refuse("a geometry without an area", where, kind, "Polygon, MultiPolygon, LinearRing, or collections of them")
     regions = value["coordinates"] if kind == "MultiPolygon" else [value["coordinates"]]
     names = [f"{where}[{k}]" for k in range(len(regions))] if kind == "MultiPolygon" else [where]
     return [(name, rings[0], rings[1:])

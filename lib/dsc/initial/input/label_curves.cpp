@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace dsc::initial {
 
@@ -27,9 +28,11 @@ constexpr int area_rounds = 12;
 
 class Smoothing {
 public:
+    /// `owed`: the area by which each grain is to grow, in pixels.
     Smoothing(std::vector<Site>& sites, const std::vector<Boundary>& boundaries, double right_side,
-              std::size_t grains)
-        : sites_(sites), boundaries_(boundaries), right_side_(right_side), grains_(grains) {
+              std::vector<double> owed)
+        : sites_(sites), boundaries_(boundaries), right_side_(right_side), owed_(std::move(owed)),
+          grains_(owed_.size()) {
         for (const Boundary& boundary : boundaries) {
             for (std::size_t i = 1; i < boundary.sites.size(); ++i) {
                 ++sites_[boundary.sites[i - 1]].neighbours;
@@ -162,7 +165,7 @@ private:
     // is its length times the difference of two numbers, one for the grain on each side. The
     // numbers solve Poisson's equation on the graph of the grains, by conjugate gradients.
     void correct_areas() {
-        std::vector<double> missing(grains_, 0);
+        std::vector<double> missing = owed_;
         std::vector<double> length;
         for (const Boundary& boundary : boundaries_) {
             const double gained = area_gained(boundary);
@@ -258,17 +261,43 @@ private:
     std::vector<Site>& sites_;
     const std::vector<Boundary>& boundaries_;
     double right_side_;
+    std::vector<double> owed_; // by grain
     std::size_t grains_;
     std::vector<std::uint32_t> neighbours_;
 };
 
+// Pixels that were taken from a grain because they hung on it by a corner alone are owed to it.
+std::vector<double> owed_areas(const LabelImage& image, const Grains& grains,
+                               const LabelImage& given) {
+    std::vector<double> owed(grains.pixels.size(), 0);
+    for (std::size_t i = 0; i < image.labels.size(); ++i) {
+        if (image.labels[i] == given.labels[i]) {
+            continue;
+        }
+        const std::size_t row = i / image.columns;
+        const std::size_t column = i % image.columns;
+        for (std::size_t k = 0; k < 9; ++k) {
+            const std::size_t r = row + k / 3 - 1; // beyond all rows if it is above the first
+            const std::size_t c = column + k % 3 - 1;
+            if (r < image.rows && c < image.columns &&
+                image.labels[r * image.columns + c] == given.labels[i]) {
+                owed[grains.of_pixel[r * image.columns + c]] += 1;
+                owed[grains.of_pixel[i]] -= 1;
+                break;
+            }
+        }
+    }
+    return owed;
+}
+
 } // namespace
 
-std::vector<Curve> curves_of(const LabelImage& image, const Rectangle& domain) {
+std::vector<Curve> curves_of(const LabelImage& image, const LabelImage& given,
+                             const Rectangle& domain) {
     const Grains grains = grains_of(image);
     Boundaries found = trace_boundaries(image, grains);
     const Point<double> size(static_cast<double>(image.columns), static_cast<double>(image.rows));
-    Smoothing(found.sites, found.boundaries, size.x(), grains.pixels.size()).run();
+    Smoothing(found.sites, found.boundaries, size.x(), owed_areas(image, grains, given)).run();
     const Point<double> pixel = (domain.high - domain.low).cwiseQuotient(size);
     std::vector<Curve> curves;
     for (const Boundary& boundary : found.boundaries) {

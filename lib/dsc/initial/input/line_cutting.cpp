@@ -201,18 +201,30 @@ void check_detail(const Line& line, double h) {
 }
 
 // Leaves out detail that is finer than the mesh. Returns whether there was any.
-bool thin_lines(std::vector<Line>& lines, const Network& network, double h, InputReport& report) {
+template <class Real>
+bool thin_lines(std::vector<Line>& lines, const Network& network, const Lattice& lattice,
+                const InitialOptions& options, InputReport& report) {
     std::vector<Strand> strands;
     for (std::uint32_t k = 0; k < lines.size(); ++k) {
         strands.push_back({lines[k].path.points, !network.is_loop(k)});
     }
+    const Point<double> margin = Point<double>::Constant(2 * min_margin * options.edge_length);
     const std::size_t before = report.thinned;
-    std::vector<std::vector<std::uint32_t>> kept = thin(strands, h, report);
+    std::vector<std::vector<Kept>> kept =
+        thin<Real>(strands, {lattice.low + margin, lattice.high - margin},
+                   finest_on_interface(options.sizes, options.edge_length), report);
     for (std::uint32_t k = 0; k < lines.size(); ++k) {
         if (network.is_loop(k)) {
             kept[k].push_back(kept[k].front());
         }
-        keep_points(lines[k], kept[k]);
+        std::vector<std::uint32_t> indices(kept[k].size());
+        std::ranges::transform(kept[k], indices.begin(), &Kept::index);
+        keep_points(lines[k], indices);
+        for (std::size_t i = 0; i < kept[k].size(); ++i) {
+            if (Point<double>& p = lines[k].path.points[i]; p != kept[k][i].place) {
+                p = lines[k].given[i] = kept[k][i].place;
+            }
+        }
     }
     return report.thinned > before;
 }
@@ -231,7 +243,7 @@ std::vector<Points> cut_apart(std::vector<Line>& lines, const Lattice& lattice,
             cut.push_back(network.cut<Real>(k));
         }
         network.check_contacts();
-        if (is_thinned || !thin_lines(lines, network, scale, report)) {
+        if (is_thinned || !thin_lines<Real>(lines, network, lattice, options, report)) {
             if (options.detail == Detail::keep) {
                 for (const Line& line : lines) {
                     check_detail(line, scale);

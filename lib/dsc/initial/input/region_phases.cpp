@@ -306,7 +306,8 @@ private:
                           .value = "common area with " + name_of(shapes_, first) + " at " +
                                    to_text(common_.at({first, second}).place),
                           .allowed = "shapes side by side, or one inside the other; a larger "
-                                     "border_tolerance joins borders that are near each other"});
+                                     "border_tolerance joins borders that are near each other, and "
+                                     "a coverage gives overlaps to one of them"});
     }
 
     void count(const Shapes& covering, const Point<double>& middle) {

@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/rounding.h"
 
 #include <algorithm>
 #include <array>
@@ -18,39 +19,70 @@ namespace dsc::initial {
 
 namespace {
 
-// All points of all strands by number; those of a strand follow each other.
+// The points of all strands by number, and those in place of two of them. Those of a strand follow
+// each other.
 struct Node {
     Point<double> place{0, 0};
     std::uint32_t previous = no_id; // none at the first end of an open strand
     std::uint32_t next = no_id;
     std::uint32_t strand = 0;
-    bool is_there = true;
+    std::uint32_t first = no_id; // of the given points that it stands for
+    std::uint32_t last = no_id;
+    std::uint32_t into = no_id; // one that is left instead, or was so once
+
+    [[nodiscard]] bool is_there() const { return into == no_id; }
 };
 
-// Points by the cell of a square grid that they lie in.
+using Points = std::vector<Point<double>>;
+using Corners = std::array<Point<double>, 3>;
+
+// Points and the edges that began there when they were added, by the cells of a square grid that
+// these meet.
 class Cells {
 public:
-    Cells(std::span<const Node> nodes, double side) : nodes_(nodes), side_(side) {
+    Cells(const std::vector<Node>& nodes, double side) : nodes_(nodes), side_(side) {
         if (!nodes.empty()) {
             low_ = nodes.front().place;
         }
         for (const Node& node : nodes) {
             low_ = low_.cwiseMin(node.place);
         }
-        following_.reserve(nodes.size());
+        entries_.reserve(2 * nodes.size());
         for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-            const Point<double> at = (nodes[i].place - low_) / side_;
-            const auto [cell, is_first] =
-                first_.try_emplace(key(std::floor(at.x()), std::floor(at.y())), i);
-            following_.push_back(is_first ? no_id : std::exchange(cell->second, i));
+            add(i);
         }
     }
 
-    // Calls `visit` for all points in the cells that a triangle meets, until it returns true;
-    // returns whether it did. Row by row, since a triangle may be long and thin.
+    void add(std::uint32_t i) {
+        const Node& node = nodes_[i];
+        const Point<double>& end = node.next == no_id ? node.place : nodes_[node.next].place;
+        visit_cells({node.place, end, end}, [&](std::uint64_t key) {
+            const auto number = static_cast<std::uint32_t>(entries_.size());
+            const auto [cell, is_first] = first_.try_emplace(key, number);
+            entries_.push_back({i, is_first ? no_id : std::exchange(cell->second, number)});
+            return false;
+        });
+    }
+
+    // Calls `visit` for all points in the cells that a triangle meets, and for those whose edges
+    // meet these, until it returns true; returns whether it did.
     template <class Visit>
-    bool any_near(const std::array<Point<double>, 3>& corners, Visit visit) const {
-        std::array<Point<double>, 3> at;
+    bool any_near(const Corners& corners, Visit visit) const {
+        return visit_cells(corners, [&](std::uint64_t key) {
+            const auto cell = first_.find(key);
+            std::uint32_t entry = cell == first_.end() ? no_id : cell->second;
+            while (entry != no_id && !visit(entries_[entry][0])) {
+                entry = entries_[entry][1];
+            }
+            return entry != no_id;
+        });
+    }
+
+private:
+    // Row by row, since a triangle may be long and thin.
+    template <class Visit>
+    bool visit_cells(const Corners& corners, Visit visit) const {
+        Corners at;
         std::ranges::transform(corners, at.begin(), [&](const Point<double>& p) {
             return Point<double>((p - low_) / side_);
         });
@@ -58,26 +90,21 @@ public:
         for (double row = std::floor(bottom); row <= std::floor(top); ++row) {
             const auto [left, right] = range_in_row(at, row);
             for (double column = std::floor(left); column <= std::floor(right); ++column) {
-                const auto cell = first_.find(key(column, row));
-                std::uint32_t i = cell == first_.end() ? no_id : cell->second;
-                for (; i != no_id; i = following_[i]) {
-                    if (nodes_[i].is_there && visit(i)) {
-                        return true;
-                    }
+                if (visit(key(column, row))) {
+                    return true;
                 }
             }
         }
         return false;
     }
 
-private:
     static std::uint64_t key(double column, double row) {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(column)) << 32U ^
                static_cast<std::uint64_t>(static_cast<std::int64_t>(row) & 0xffffffff);
     }
 
     // The range of a triangle in a row, slightly widened against rounding.
-    static std::array<double, 2> range_in_row(const std::array<Point<double>, 3>& at, double row) {
+    static std::array<double, 2> range_in_row(const Corners& at, double row) {
         constexpr double slack = 1e-6;
         double left = std::numeric_limits<double>::infinity();
         double right = -left;
@@ -97,11 +124,11 @@ private:
         return {left, right};
     }
 
-    std::span<const Node> nodes_;
+    const std::vector<Node>& nodes_;
     Point<double> low_{0, 0};
     double side_;
-    std::unordered_map<std::uint64_t, std::uint32_t> first_;
-    std::vector<std::uint32_t> following_;
+    std::unordered_map<std::uint64_t, std::uint32_t> first_; // entry of a cell
+    std::vector<std::array<std::uint32_t, 2>> entries_;      // a point, and the cell's next entry
 };
 
 // The mean distance of points, but not so small that a triangle meets very many cells.
@@ -118,10 +145,11 @@ double side_of_cells(std::span<const Strand> strands, double edge_length) {
     return std::max(2 * length / points, least * edge_length);
 }
 
+template <class Real>
 class Thinning {
 public:
-    Thinning(std::span<const Strand> strands, double edge_length)
-        : edge_length_(edge_length), strands_(strands), nodes_(nodes_of(strands)),
+    Thinning(std::span<const Strand> strands, const Rectangle& box, double edge_length)
+        : edge_length_(edge_length), box_(box), strands_(strands), nodes_(nodes_of(strands)),
           cells_(nodes_, side_of_cells(strands, edge_length)) {}
 
     void run() {
@@ -131,21 +159,23 @@ public:
         while (!short_edges_.empty()) {
             const ShortEdge edge = short_edges_.top();
             short_edges_.pop();
-            if (nodes_[edge.from].is_there && nodes_[edge.from].next == edge.to) {
+            if (nodes_[edge.from].is_there() && nodes_[edge.from].next == edge.to) {
                 shorten(edge);
             }
         }
     }
 
-    std::vector<std::vector<std::uint32_t>> left(InputReport& report) const {
-        std::vector<std::vector<std::uint32_t>> result(strands_.size());
-        for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-            const std::uint32_t k = nodes_[i].strand;
-            if (nodes_[i].is_there) {
-                result[k].push_back(i - states_[k].first);
-            } else {
-                ++report.thinned;
+    std::vector<std::vector<Kept>> left(InputReport& report) const {
+        std::vector<std::vector<Kept>> result(strands_.size());
+        for (const Node& node : nodes_) {
+            if (node.is_there()) {
+                const std::uint32_t begin = states_[node.strand].first;
+                result[node.strand].push_back({node.first - begin, node.place});
             }
+        }
+        for (std::size_t k = 0; k < result.size(); ++k) {
+            std::ranges::sort(result[k], {}, &Kept::index);
+            report.thinned += states_[k].last - states_[k].first + 1 - result[k].size();
         }
         report.deviation = std::max(report.deviation, deviation_);
         for (const State& state : states_) {
@@ -187,7 +217,7 @@ private:
             state.first = static_cast<std::uint32_t>(nodes.size());
             for (std::size_t i = 0; i + (is_free ? 1 : 0) < points.size(); ++i) {
                 const auto number = static_cast<std::uint32_t>(nodes.size());
-                nodes.push_back({points[i], number - 1, number + 1, k});
+                nodes.push_back({points[i], number - 1, number + 1, k, number, number});
             }
             state.last = static_cast<std::uint32_t>(nodes.size()) - 1;
             nodes[state.first].previous = is_free ? state.last : no_id;
@@ -220,24 +250,79 @@ private:
         }
     }
 
-    // Removes the end of a short edge that costs less, if either may be removed.
+    // Removes the end of a short edge that costs less, or merges both if neither may be removed.
     void shorten(const ShortEdge& edge) {
         const Removal from = removal(edge.from);
         const Removal to = removal(edge.to);
         const Removal& best =
             from.vertex == no_id || (to.vertex != no_id && to.cost < from.cost) ? to : from;
         if (best.vertex == no_id) {
+            merge(edge);
             return;
         }
-        Node& node = nodes_[best.vertex];
-        State& state = states_[node.strand];
-        node.is_there = false;
+        const Node& node = nodes_[best.vertex];
+        nodes_[best.vertex].into = node.previous;
         nodes_[node.previous].next = node.next;
         nodes_[node.next].previous = node.previous;
-        --state.may_go;
-        state.area_change += best.area_change;
-        deviation_ = std::max(deviation_, best.deviation);
+        note(node.strand, best);
         for (const std::uint32_t i : {nodes_[node.previous].previous, node.previous, node.next}) {
+            if (i != no_id) {
+                offer(i);
+            }
+        }
+    }
+
+    void note(std::uint32_t strand, const Removal& done) {
+        State& state = states_[strand];
+        --state.may_go;
+        state.area_change += done.area_change;
+        deviation_ = std::max(deviation_, done.deviation);
+    }
+
+    // Puts one vertex in place of both ends of a short edge, so far from the edge that areas are
+    // those that were given (compare B. Kronenfeld, L. V. Stanislawski, B. P. Buttenfield,
+    // T. Brockmeyer, "Simplification of polylines by segment collapse", 2020).
+    void merge(const ShortEdge& edge) {
+        const Node from = nodes_[edge.from];
+        const Node to = nodes_[edge.to];
+        if (from.previous == no_id || to.next == no_id || from.previous == to.next ||
+            states_[from.strand].may_go == 0) {
+            return;
+        }
+        const Point<double> a = nodes_[from.previous].place; // a, from, to, d in this order
+        const Point<double> d = nodes_[to.next].place;
+        if (a == d) {
+            return;
+        }
+        const Point<double> along = d - a;
+        const double left_of_edges =
+            cross<double>(along, to.place - a) + cross<double>(to.place - a, from.place - a);
+        const Point<double> middle = midpoint(from.place, to.place);
+        const double missing =
+            left_of_edges + 2 * states_[from.strand].area_change - cross<double>(along, middle - a);
+        const Point<double> place = rounded<Real>(Point<double>(
+            middle + missing / along.squaredNorm() * Point<double>(-along.y(), along.x())));
+        Removal merged{.area_change = (left_of_edges - cross<double>(along, place - a)) / 2};
+        merged.deviation =
+            std::min({distance(place, a, from.place), distance(place, from.place, to.place),
+                      distance(place, to.place, d)});
+        merged.deviation =
+            std::max(merged.deviation, deviation_from({a, place, d}, from.previous, to.next));
+        if (!(merged.deviation <= max_deviation * edge_length_) ||
+            (place.array() < box_.low.array()).any() || (place.array() > box_.high.array()).any() ||
+            place == a || place == d || is_any_in({a, from.place, place}) ||
+            is_any_in({from.place, to.place, place}) || is_any_in({to.place, d, place}) ||
+            is_crossed(from.place, place)) {
+            return;
+        }
+        const auto number = static_cast<std::uint32_t>(nodes_.size());
+        nodes_.push_back({place, from.previous, to.next, from.strand, from.first, to.last});
+        nodes_[edge.from].into = nodes_[edge.to].into = number;
+        nodes_[from.previous].next = nodes_[to.next].previous = number;
+        cells_.add(number);
+        note(from.strand, merged);
+        for (const std::uint32_t i :
+             {nodes_[from.previous].previous, from.previous, number, to.next}) {
             if (i != no_id) {
                 offer(i);
             }
@@ -258,11 +343,9 @@ private:
         if (area_change > state.max_area_change && area_change > std::abs(state.area_change)) {
             return {};
         }
-        const auto after = [&](std::uint32_t i) { return i == state.last ? state.first : i + 1; };
-        for (std::uint32_t i = after(node.previous); i != node.next; i = after(i)) {
-            result.deviation = std::max(result.deviation, distance(nodes_[i].place, a, b));
-        }
-        if (result.deviation > max_deviation * edge_length_ || is_in_the_way(vertex)) {
+        result.deviation = deviation_from({a, b}, node.previous, node.next);
+        if (result.deviation > max_deviation * edge_length_ || a == b ||
+            is_any_in({a, node.place, b})) {
             return {};
         }
         // The area that is lost here is gained there.
@@ -271,27 +354,86 @@ private:
         return result;
     }
 
-    // Whether a point lies in the triangle that a vertex makes with its neighbours. If none does,
-    // nothing else meets the edge between these.
-    [[nodiscard]] bool is_in_the_way(std::uint32_t vertex) const {
-        const Node& node = nodes_[vertex];
-        Point<double> a = nodes_[node.previous].place;
-        Point<double> b = nodes_[node.next].place;
-        if (a == b) {
-            return true;
+    // The largest distance of the points that were given from edges that are to join two vertices.
+    // A merged vertex stands for some that may be near its other edge.
+    [[nodiscard]] double deviation_from(Points path, std::uint32_t from, std::uint32_t to) const {
+        const Node& first = nodes_[from];
+        const Node& last = nodes_[to];
+        if (first.first != first.last && first.previous != no_id) {
+            path.insert(path.begin(), nodes_[first.previous].place);
         }
-        const int way = orientation<double>(a, node.place, b);
+        if (last.first != last.last && last.next != no_id) {
+            path.push_back(nodes_[last.next].place);
+        }
+        double farthest = 0;
+        const State& state = states_[first.strand];
+        for (std::uint32_t i = first.first;; i = i == state.last ? state.first : i + 1) {
+            double nearest = distance(nodes_[i].place, path[0], path[1]);
+            for (std::size_t k = 2; k < path.size(); ++k) {
+                nearest = std::min(nearest, distance(nodes_[i].place, path[k - 1], path[k]));
+            }
+            farthest = std::max(farthest, nearest);
+            if (i == last.last) {
+                return farthest;
+            }
+        }
+    }
+
+    // Whether a point other than its corners lies in a triangle. If two of its sides are edges and
+    // no point does, nothing meets the third one.
+    [[nodiscard]] bool is_any_in(Corners corners) const {
+        const int way = orientation<double>(corners[0], corners[1], corners[2]);
         if (way < 0) {
-            std::swap(a, b);
+            std::swap(corners[0], corners[1]);
         }
-        return way != 0 && cells_.any_near({a, node.place, b}, [&](std::uint32_t i) {
+        return way != 0 && cells_.any_near(corners, [&](std::uint32_t i) {
             const Point<double>& p = nodes_[i].place;
-            return i != vertex && p != a && p != b && orientation<double>(a, node.place, p) >= 0 &&
-                   orientation<double>(node.place, b, p) >= 0 && orientation<double>(b, a, p) >= 0;
+            const auto is_left_of = [&](std::size_t from, std::size_t to) {
+                return orientation<double>(corners[from], corners[to], p) >= 0;
+            };
+            return nodes_[i].is_there() && std::ranges::find(corners, p) == corners.end() &&
+                   is_left_of(0, 1) && is_left_of(1, 2) && is_left_of(2, 0);
         });
     }
 
+    // Whether an edge meets the way of a vertex from `a` to `b`, other than those that end at it.
+    // Edges are looked for by those that were given, which are no farther away than points have
+    // been moved and left out.
+    bool is_crossed(const Point<double>& a, const Point<double>& b) {
+        const auto meets = [&](std::uint32_t i) {
+            if (i == no_id || nodes_[i].next == no_id) {
+                return false;
+            }
+            const Point<double>& p = nodes_[i].place;
+            const Point<double>& q = nodes_[nodes_[i].next].place;
+            return p != a && q != a &&
+                   orientation<double>(a, b, p) * orientation<double>(a, b, q) <= 0 &&
+                   orientation<double>(p, q, a) * orientation<double>(p, q, b) <= 0;
+        };
+        const auto any_meets = [&](std::uint32_t given) {
+            const std::uint32_t i = left_of(given);
+            return meets(i) || meets(nodes_[i].previous);
+        };
+        const Point<double> margin = Point<double>::Constant(2 * deviation_);
+        const Point<double> low = a.cwiseMin(b) - margin;
+        const Point<double> high = a.cwiseMax(b) + margin;
+        return cells_.any_near({low, Point<double>(high.x(), low.y()), high}, any_meets) ||
+               cells_.any_near({low, high, Point<double>(low.x(), high.y())}, any_meets);
+    }
+
+    // The vertex at which the part of the strand begins that a given point was on.
+    std::uint32_t left_of(std::uint32_t i) {
+        while (nodes_[i].into != no_id) {
+            if (const std::uint32_t after = nodes_[nodes_[i].into].into; after != no_id) {
+                nodes_[i].into = after;
+            }
+            i = nodes_[i].into;
+        }
+        return i;
+    }
+
     double edge_length_;
+    Rectangle box_;
     std::span<const Strand> strands_;
     std::vector<State> states_;
     std::vector<Node> nodes_;
@@ -302,12 +444,18 @@ private:
 
 } // namespace
 
-std::vector<std::vector<std::uint32_t>> thin(std::span<const Strand> strands, double edge_length,
-                                             InputReport& report) {
-    Thinning thinning(strands, edge_length);
+template <class Real>
+std::vector<std::vector<Kept>> thin(std::span<const Strand> strands, const Rectangle& box,
+                                    double edge_length, InputReport& report) {
+    Thinning<Real> thinning(strands, box, edge_length);
     thinning.run();
     return thinning.left(report);
 }
+
+template std::vector<std::vector<Kept>> thin<double>(std::span<const Strand>, const Rectangle&,
+                                                     double, InputReport&);
+template std::vector<std::vector<Kept>> thin<float>(std::span<const Strand>, const Rectangle&,
+                                                    double, InputReport&);
 
 bool is_dropped(std::span<const Point<double>> outline, const std::string& name,
                 const InitialOptions& options, InputReport& report) {

@@ -2,7 +2,8 @@
 // Leaves out points of the interface that are too close together for the mesh: detail below the
 // edge length would give permanent needles. Vertices are removed at the shortest edges first
 // (compare M. Visvalingam, J. D. Whyatt, "Line generalisation by repeated elimination of points",
-// 1993), so that ends of curves, and all points at long edges, stay as they are.
+// 1993), so that ends of curves, and all points at long edges, stay as they are. Where that would
+// change areas or the shape by too much, the ends of a short edge become one point.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -31,11 +32,18 @@ struct Strand {
     bool keeps_ends = false;               ///< false: closed, and free to begin at any point
 };
 
-/// For each strand the indices of the points that stay, ascending; those of a closed strand are
-/// closed by the caller. The strands that result have no new common points. Adds to `report` what
-/// was left out. O(n log n) for n points at about the same distance.
-std::vector<std::vector<std::uint32_t>> thin(std::span<const Strand> strands, double edge_length,
-                                             InputReport& report);
+/// A point that is left.
+struct Kept {
+    std::uint32_t index; ///< of the given point, or of the first of those that became this one
+    Point<double> place; ///< within `box`, and rounded to `Real`
+};
+
+/// For each strand the points that are left; closed ones are closed by the caller. The strands that
+/// result have no new common points. Adds to `report` what was left out. O(n log n) for n points at
+/// about the same distance.
+template <class Real>
+std::vector<std::vector<Kept>> thin(std::span<const Strand> strands, const Rectangle& box,
+                                    double edge_length, InputReport& report);
 
 /// Whether a closed outline is too small for the mesh, because no two of its points are an edge
 /// length apart. Adds it to `report` then. Throws InputError instead if detail is to be kept.

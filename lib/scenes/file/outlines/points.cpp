@@ -72,10 +72,11 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         std::string rest;
         if (!(words >> p.x() >> p.y()) || words >> rest ||
             !(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count > max_points) {
-            throw InputError({.what = count > max_points ? "too many points" : "not a point",
-                              .where = where + ':' + std::to_string(number),
-                              .value = quoted_excerpt(whole),
-                              .allowed = "two numbers x y, at most 1000000 lines of them"});
+            throw InputError(
+                {.what = count > max_points ? "too many points" : "not a point",
+                 .where = where + ':' + std::to_string(number),
+                 .value = quoted_excerpt(whole),
+                 .allowed = "two numbers x y, or a comment after #; at most 1000000 lines"});
         }
         points.push_back(p);
     }
