@@ -306,11 +306,15 @@ private:
         const auto name = [this](const NodedEdge& edge) {
             return loops_[edge.loop].name + ", edge " + std::to_string(edge.number);
         };
-        throw InputError({.what = "two edges cross, touch or overlap",
-                          .where = name(*first),
-                          .value = "contact with " + name(*second) + " at " +
-                                   to_text(place_of(shapes.points, *first, *second)),
-                          .allowed = "outlines that do not cross themselves or each other"});
+        throw InputError(
+            {.what = "two edges cross, touch or overlap",
+             .where = name(*first),
+             .value = "contact with " + name(*second) + " at " +
+                      to_text(place_of(shapes.points, *first, *second)),
+             .allowed = std::string("outlines that do not cross themselves or each other") +
+                        (loops_[first->loop].shape == loops_[second->loop].shape
+                             ? ""
+                             : "; a coverage gives overlaps of shapes to one")});
     }
 
     // Approximately where two edges cross.
