@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace dsc::sub_steps_test {
@@ -224,30 +223,6 @@ TEST_P(Layers, AllArriveAndKeepTheirArea) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Courses, Layers, testing::ValuesIn(test::all_courses), test::course_name);
-
-// Arms that a flow bends, and that are much thinner than an edge. New vertices of sheets that bend
-// away from their neighbours must not leave the edges while those behind them cannot: the arms
-// would gain 2 per cent. The polygon of the markers that the flow carries gains 0.12.
-TEST(Arms, KeepTheirAreaWhereTheyBend) {
-    constexpr int arms = 400;
-    std::vector<Point<double>> star;
-    for (int i = 0; i < 2 * arms; ++i) {
-        const double angle = std::numbers::pi * i / arms;
-        const double radius = i % 2 == 0 ? 0.1 : 0.3;
-        star.emplace_back(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle));
-    }
-    auto complex =
-        initial_complex<double>({{0, 0}, {1, 1}}, {{star, 1}}, {.edge_length = layers_h});
-    const double area = phase_area(complex, 1);
-    Simulation<double> simulation(complex, options_for<double>(layers_h));
-    std::uint64_t unreached = 0;
-    for (int step = 0; step < 20; ++step) {
-        unreached += simulation.step(test::swirl, 0.01 * step, 0.01).unreached;
-    }
-    EXPECT_EQ(unreached, 0U);
-    EXPECT_NEAR(phase_area(complex, 1) / area, 1, 1e-3);
-    EXPECT_EQ(validate(complex).problem, "");
-}
 
 TEST(OneLayerAfterAnother, AStepThatEndsByTheNumberOfPassesGivesUp) {
     auto complex = layers();

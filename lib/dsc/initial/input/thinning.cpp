@@ -4,132 +4,21 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/initial/input/strand_cells.h"
 #include "dsc/initial/rounding.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace dsc::initial {
 
 namespace {
 
-// The points of all strands by number, and those in place of two of them. Those of a strand follow
-// each other.
-struct Node {
-    Point<double> place{0, 0};
-    std::uint32_t previous = no_id; // none at the first end of an open strand
-    std::uint32_t next = no_id;
-    std::uint32_t strand = 0;
-    std::uint32_t first = no_id; // of the given points that it stands for
-    std::uint32_t last = no_id;
-    std::uint32_t into = no_id; // one that is left instead, or was so once
-
-    [[nodiscard]] bool is_there() const { return into == no_id; }
-};
-
 using Points = std::vector<Point<double>>;
-using Corners = std::array<Point<double>, 3>;
-
-// Points and the edges that began there when they were added, by the cells of a square grid that
-// these meet.
-class Cells {
-public:
-    Cells(const std::vector<Node>& nodes, double side) : nodes_(nodes), side_(side) {
-        if (!nodes.empty()) {
-            low_ = nodes.front().place;
-        }
-        for (const Node& node : nodes) {
-            low_ = low_.cwiseMin(node.place);
-        }
-        entries_.reserve(2 * nodes.size());
-        for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-            add(i);
-        }
-    }
-
-    void add(std::uint32_t i) {
-        const Node& node = nodes_[i];
-        const Point<double>& end = node.next == no_id ? node.place : nodes_[node.next].place;
-        visit_cells({node.place, end, end}, [&](std::uint64_t key) {
-            const auto number = static_cast<std::uint32_t>(entries_.size());
-            const auto [cell, is_first] = first_.try_emplace(key, number);
-            entries_.push_back({i, is_first ? no_id : std::exchange(cell->second, number)});
-            return false;
-        });
-    }
-
-    // Calls `visit` for all points in the cells that a triangle meets, and for those whose edges
-    // meet these, until it returns true; returns whether it did.
-    template <class Visit>
-    bool any_near(const Corners& corners, Visit visit) const {
-        return visit_cells(corners, [&](std::uint64_t key) {
-            const auto cell = first_.find(key);
-            std::uint32_t entry = cell == first_.end() ? no_id : cell->second;
-            while (entry != no_id && !visit(entries_[entry][0])) {
-                entry = entries_[entry][1];
-            }
-            return entry != no_id;
-        });
-    }
-
-private:
-    // Row by row, since a triangle may be long and thin.
-    template <class Visit>
-    bool visit_cells(const Corners& corners, Visit visit) const {
-        Corners at;
-        std::ranges::transform(corners, at.begin(), [&](const Point<double>& p) {
-            return Point<double>((p - low_) / side_);
-        });
-        const auto [bottom, top] = std::minmax({at[0].y(), at[1].y(), at[2].y()});
-        for (double row = std::floor(bottom); row <= std::floor(top); ++row) {
-            const auto [left, right] = range_in_row(at, row);
-            for (double column = std::floor(left); column <= std::floor(right); ++column) {
-                if (visit(key(column, row))) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
-    static std::uint64_t key(double column, double row) {
-        return static_cast<std::uint64_t>(static_cast<std::int64_t>(column)) << 32U ^
-               static_cast<std::uint64_t>(static_cast<std::int64_t>(row) & 0xffffffff);
-    }
-
-    // The range of a triangle in a row, slightly widened against rounding.
-    static std::array<double, 2> range_in_row(const Corners& at, double row) {
-        constexpr double slack = 1e-6;
-        double left = std::numeric_limits<double>::infinity();
-        double right = -left;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto& [a, b] = std::minmax(
-                at[i], at[(i + 1) % 3], [](const auto& p, const auto& q) { return p.y() < q.y(); });
-            const double from = std::max(a.y(), row - slack);
-            const double to = std::min(b.y(), row + 1 + slack);
-            if (from <= to) {
-                const double slope = b.y() > a.y() ? (b.x() - a.x()) / (b.y() - a.y()) : 0;
-                const double at_from = a.x() + slope * (from - a.y());
-                const double at_to = b.y() > a.y() ? a.x() + slope * (to - a.y()) : b.x();
-                left = std::min({left, at_from - slack, at_to - slack});
-                right = std::max({right, at_from + slack, at_to + slack});
-            }
-        }
-        return {left, right};
-    }
-
-    const std::vector<Node>& nodes_;
-    Point<double> low_{0, 0};
-    double side_;
-    std::unordered_map<std::uint64_t, std::uint32_t> first_; // entry of a cell
-    std::vector<std::array<std::uint32_t, 2>> entries_;      // a point, and the cell's next entry
-};
 
 // The mean distance of points, but not so small that a triangle meets very many cells.
 double side_of_cells(std::span<const Strand> strands, double edge_length) {
@@ -167,7 +56,7 @@ public:
 
     std::vector<std::vector<Kept>> left(InputReport& report) const {
         std::vector<std::vector<Kept>> result(strands_.size());
-        for (const Node& node : nodes_) {
+        for (const StrandNode& node : nodes_) {
             if (node.is_there()) {
                 const std::uint32_t begin = states_[node.strand].first;
                 result[node.strand].push_back({node.first - begin, node.place});
@@ -208,8 +97,8 @@ private:
         double cost = 0;
     };
 
-    std::vector<Node> nodes_of(std::span<const Strand> strands) {
-        std::vector<Node> nodes;
+    std::vector<StrandNode> nodes_of(std::span<const Strand> strands) {
+        std::vector<StrandNode> nodes;
         for (std::uint32_t k = 0; k < strands.size(); ++k) {
             const auto& [points, keeps_ends] = strands[k];
             const bool is_free = !keeps_ends;
@@ -260,7 +149,7 @@ private:
             merge(edge);
             return;
         }
-        const Node& node = nodes_[best.vertex];
+        const StrandNode& node = nodes_[best.vertex];
         nodes_[best.vertex].into = node.previous;
         nodes_[node.previous].next = node.next;
         nodes_[node.next].previous = node.previous;
@@ -283,8 +172,8 @@ private:
     // those that were given (compare B. Kronenfeld, L. V. Stanislawski, B. P. Buttenfield,
     // T. Brockmeyer, "Simplification of polylines by segment collapse", 2020).
     void merge(const ShortEdge& edge) {
-        const Node from = nodes_[edge.from];
-        const Node to = nodes_[edge.to];
+        const StrandNode from = nodes_[edge.from];
+        const StrandNode to = nodes_[edge.to];
         if (from.previous == no_id || to.next == no_id || from.previous == to.next ||
             states_[from.strand].may_go == 0) {
             return;
@@ -331,7 +220,7 @@ private:
 
     // The effect of removing a vertex; `vertex` is no_id if it must stay.
     [[nodiscard]] Removal removal(std::uint32_t vertex) const {
-        const Node& node = nodes_[vertex];
+        const StrandNode& node = nodes_[vertex];
         const State& state = states_[node.strand];
         if (node.previous == no_id || node.next == no_id || state.may_go == 0) {
             return {};
@@ -357,8 +246,8 @@ private:
     // The largest distance of the points that were given from edges that are to join two vertices.
     // A merged vertex stands for some that may be near its other edge.
     [[nodiscard]] double deviation_from(Points path, std::uint32_t from, std::uint32_t to) const {
-        const Node& first = nodes_[from];
-        const Node& last = nodes_[to];
+        const StrandNode& first = nodes_[from];
+        const StrandNode& last = nodes_[to];
         if (first.first != first.last && first.previous != no_id) {
             path.insert(path.begin(), nodes_[first.previous].place);
         }
@@ -436,8 +325,8 @@ private:
     Rectangle box_;
     std::span<const Strand> strands_;
     std::vector<State> states_;
-    std::vector<Node> nodes_;
-    Cells cells_;
+    std::vector<StrandNode> nodes_;
+    StrandCells cells_;
     std::priority_queue<ShortEdge> short_edges_;
     double deviation_ = 0;
 };
