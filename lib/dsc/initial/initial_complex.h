@@ -75,7 +75,8 @@ struct Frame {
 enum class Detail : std::uint8_t {
     /// Points at edges below 0.2 edge lengths are left out, if the interface stays within 0.1 edge
     /// lengths of them, and the area on each side of a curve within 0.001 edge lengths times its
-    /// length, and within 0.001 of the area inside it. Where neither end of such an edge can be left
+    /// length, and within 0.001 of the area inside it. Where neither end of such an edge can be
+    /// left
     /// out, one point takes the place of both. Shapes that are smaller than the edge length are
     /// dropped.
     thin,
