@@ -2,6 +2,9 @@
 #include "fluid/flow.h"
 
 #include "dsc/base/timer.h"
+#include "dsc/complex/circulate.h"
+#include "dsc/geometry/points.h"
+#include "dsc/geometry/side.h"
 #include "fluid/interface/even_spacing.h"
 #include "fluid/solve/solve.h"
 #include "fluid/system/assembly.h"
@@ -20,19 +23,146 @@ bool has_even_edges(const Options<double>& options) {
            !options.sizes.on_interface;
 }
 
-// Advects the interface with the fluid by the Runge-Kutta method of order 4, spaces its vertices
-// evenly and then corrects the areas. The search for a velocity begins at a triangle that depends
-// on the vertex only.
-InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<PhaseArea>& areas,
-                                  bool is_even) {
-    return [past, &areas, is_even](const InterfaceView<double>& view, double time, double dt,
-                                   std::span<Point<double>> displacements) {
+// By how much area each phase grows per time, by what flows through the boundary.
+std::vector<double> inflows_of(const FluidField& field, const std::vector<PhaseArea>& areas) {
+    std::vector<double> inflows(areas.size(), 0);
+    for (const SnapshotTriangle& triangle : field.mesh.triangles) {
+        const auto at = std::ranges::find(areas, triangle.phase, &PhaseArea::phase);
+        for (std::uint32_t i = 0; i < 3 && at != areas.end(); ++i) {
+            if (triangle.across[i] == no_id) {
+                const std::uint32_t from = triangle.nodes[next_index(i)];
+                const std::uint32_t to = triangle.nodes[prev_index(i)];
+                const Point<double> mean =
+                    (field.velocity[from] + 4 * field.velocity[triangle.nodes[3 + i]] +
+                     field.velocity[to]) /
+                    6;
+                inflows[static_cast<std::size_t>(at - areas.begin())] +=
+                    cross<double>(field.mesh.nodes[to] - field.mesh.nodes[from], mean);
+            }
+        }
+    }
+    return inflows;
+}
+
+// The part of each phase's area that its edges on the domain boundary sweep from the origin; none
+// in a rectangle along the axes, whose sides keep their shape to the bit.
+std::vector<double> swept_by_boundary(const MeshSnapshot& mesh,
+                                      const std::vector<PhaseArea>& areas) {
+    std::vector<double> swept(areas.size(), 0);
+    bool is_box = true;
+    for (const SnapshotTriangle& triangle : mesh.triangles) {
+        const auto phase = std::ranges::find(areas, triangle.phase, &PhaseArea::phase);
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            if (triangle.across[i] == no_id) {
+                const Point<double>& from = mesh.nodes[triangle.nodes[next_index(i)]];
+                const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
+                is_box = is_box && (from.x() == to.x() || from.y() == to.y());
+                if (phase != areas.end()) {
+                    swept[static_cast<std::size_t>(phase - areas.begin())] +=
+                        cross<double>(from, to) / 2;
+                }
+            }
+        }
+    }
+    return is_box ? std::vector<double>() : swept;
+}
+
+std::vector<double> swept_by_boundary(const Complex<double>& complex,
+                                      std::span<const Vertex> interface,
+                                      const std::vector<PhaseArea>& areas) {
+    std::vector<double> swept(areas.size(), 0);
+    for (const Vertex v : interface) {
+        for_each_corner(complex, v, [&](Corner c) {
+            const auto phase = std::ranges::find(areas, complex.phase_at(c), &PhaseArea::phase);
+            if (phase != areas.end() && is_border(complex.twin(prev(c)))) {
+                swept[static_cast<std::size_t>(phase - areas.begin())] +=
+                    cross<double>(complex.position(v),
+                                  complex.position(Vertex{complex.vertex(next(c))})) /
+                    2;
+            }
+        });
+    }
+    return swept;
+}
+
+// The areas that the phases are held to in a step.
+class AreaAccount {
+public:
+    // `inflows` is empty where nothing flows through the boundary, `swept` in a rectangle.
+    AreaAccount(const std::vector<PhaseArea>& before, double start, std::vector<double> inflows,
+                std::vector<double> swept)
+        : areas_(before), start_(start), inflows_(std::move(inflows)), swept_(std::move(swept)),
+          has_sides_(!inflows_.empty() || !swept_.empty()) {}
+
+    // Remeshing changes a curved side a little, which is no flow of what lies beside it: between
+    // the last solution and the first sub-step it is all that does.
+    void begin(const InterfaceView<double>& view, double time) {
+        if (time == start_ && !swept_.empty()) {
+            const std::vector<double> now = swept_by_boundary(view.complex, view.vertices, areas_);
+            for (std::size_t i = 0; i < now.size(); ++i) {
+                areas_[i].area += now[i] - swept_[i];
+            }
+            swept_.clear();
+        }
+    }
+
+    // Vertices of the boundary do not follow what flows through it, or leave a curved side.
+    void keep_on_boundary(const InterfaceView<double>& view,
+                          std::span<Point<double>> targets) const {
+        for (std::size_t i = 0; i < view.size() && has_sides_; ++i) {
+            if (!view.is_on_boundary(i)) {
+                continue;
+            }
+            const Vertex v = view.vertices[i];
+            Point<double> from(0, 0);
+            Point<double> to(0, 0);
+            bool is_end = false;
+            const Phase first = view.complex.phase_at(view.complex.vertices[v.id].corner);
+            const auto at = [&](Corner c) {
+                return view.complex.position(Vertex{view.complex.vertex(c)});
+            };
+            for_each_corner(view.complex, v, [&](Corner c) {
+                is_end = is_end || view.complex.phase_at(c) != first;
+                if (is_border(view.complex.twin(prev(c)))) {
+                    from = at(next(c));
+                }
+                if (is_border(view.complex.twin(next(c)))) {
+                    to = at(prev(c));
+                }
+            });
+            targets[i] = slid_on_side<double>(from, view.positions[i], to, targets[i], is_end);
+        }
+    }
+
+    [[nodiscard]] std::vector<PhaseArea> at(double time) const {
+        std::vector<PhaseArea> areas = areas_;
+        for (std::size_t i = 0; i < inflows_.size(); ++i) {
+            areas[i].area += (time - start_) * inflows_[i];
+        }
+        return areas;
+    }
+
+private:
+    std::vector<PhaseArea> areas_;
+    double start_;
+    std::vector<double> inflows_;
+    std::vector<double> swept_;
+    bool has_sides_; // which vertices could leave
+};
+
+// Carries the interface with the fluid, by the Runge-Kutta method of order 4, spreads its vertices
+// and then holds the areas. Each search for a velocity begins at a triangle that the vertex alone
+// decides.
+InterfaceMotion<double> motion_in(const FluidPast& past, AreaAccount& account, bool is_even) {
+    return [past, &account, is_even](const InterfaceView<double>& view, double time, double dt,
+                                     std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double at,
                                               std::span<Point<double>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
                 velocities[i] = extrapolated_velocity(past, positions[i], at, view.vertices[i].id);
             }
         };
+        account.begin(view, time);
         std::vector<Point<double>> targets(view.size());
         IntegratorScratch<double> scratch;
         scratch.first.resize(view.size());
@@ -42,7 +172,8 @@ InterfaceMotion<double> motion_in(const FluidPast& past, const std::vector<Phase
         if (is_even) {
             space_evenly(view, targets);
         }
-        hold_areas(view, areas, targets);
+        account.keep_on_boundary(view, targets);
+        hold_areas(view, account.at(time + dt), targets);
         for (std::size_t i = 0; i < view.size(); ++i) {
             displacements[i] = targets[i] - view.positions[i];
         }
@@ -106,39 +237,12 @@ void add(FluidStep& all, const FluidStep& one) {
            .solve_s = all.solve_s + one.solve_s};
 }
 
-// Walls are identified by their coordinates, and vertices slide along a wall only if it is exactly
-// straight. So each boundary edge must lie exactly on a side of the box around the vertices.
-void check_boundary(const MeshSnapshot& mesh) {
-    const Rectangle& box = mesh.domain;
-    const auto is_on_side = [&](const Point<double>& a, const Point<double>& b) {
-        const auto is_on = [](double one, double other, double low, double high) {
-            return one == other && (one == low || one == high);
-        };
-        return is_on(a.x(), b.x(), box.low.x(), box.high.x()) ||
-               is_on(a.y(), b.y(), box.low.y(), box.high.y());
-    };
-    for (const SnapshotTriangle& triangle : mesh.triangles) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Point<double>& from = mesh.nodes[triangle.nodes[next_index(i)]];
-            const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
-            if (triangle.across[i] == no_id && !is_on_side(from, to)) {
-                throw InputError(
-                    {.what = "the domain is not a rectangle with sides parallel to the axes",
-                     .where = "Fluid",
-                     .value = "a boundary edge from " + to_text(from) + " to " + to_text(to),
-                     .allowed = "edges on the sides of the box from " + to_text(box.low) + " to " +
-                                to_text(box.high) + ", to the last bit"});
-            }
-        }
-    }
-}
-
 void check_complex(const MeshSnapshot& mesh, const FluidOptions& options) {
     if (mesh.triangles.empty()) {
         throw InputError({.what = "the complex is empty",
                           .where = "Fluid",
                           .value = "no triangles",
-                          .allowed = "a triangulated rectangle"});
+                          .allowed = "a triangulated domain"});
     }
     for (const SnapshotTriangle& triangle : mesh.triangles) {
         (void)fluid_of(options, triangle.phase);
@@ -146,7 +250,6 @@ void check_complex(const MeshSnapshot& mesh, const FluidOptions& options) {
     for (const SnapshotEdge& edge : mesh.interface) {
         (void)pair_of(options, edge.left, edge.right);
     }
-    check_boundary(mesh);
 }
 
 } // namespace
@@ -191,14 +294,17 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
         guess = solution_in(one_->mesh, time() + dt, report);
         moving_vertex = {guess.get(), one_.get()};
     }
+    AreaAccount account(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
+                        swept_by_boundary(one_->mesh, areas_));
     Timer timer;
     report.moved = simulation.step(
-        motion_in(moving_vertex, areas_, has_even_edges(simulation.options())), time(), dt);
+        motion_in(moving_vertex, account, has_even_edges(simulation.options())), time(), dt);
     report.move_s = timer.lap();
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;
     } else {
         auto next = solution_in(freeze(complex_), time() + dt, report);
+        areas_ = account.at(next->time);
         report.error = error_of_motion(*next, moving_vertex, next->time - time());
         two_ = std::exchange(one_, std::move(next));
     }
@@ -252,10 +358,30 @@ void Fluid::transfer(Archive& archive) {
     }
 }
 
+// Extrapolated in time, as the velocity is.
+std::vector<double> Fluid::inflows_at(const FluidPast& past, double at) const {
+    const Walls& walls = options_.walls;
+    const bool is_open = std::ranges::any_of(
+        std::array{walls.left, walls.right, walls.bottom, walls.top, walls.other},
+        [](Wall wall) { return wall == Wall::open; });
+    if (!is_open && !options_.wall_at && !options_.wall_velocity) {
+        return {};
+    }
+    std::vector<double> inflows = inflows_of(*past.one, areas_);
+    if (past.two != nullptr) {
+        const double share = (at - past.one->time) / (past.one->time - past.two->time);
+        const std::vector<double> two = inflows_of(*past.two, areas_);
+        for (std::size_t i = 0; i < inflows.size(); ++i) {
+            inflows[i] += share * (inflows[i] - two[i]);
+        }
+    }
+    return inflows;
+}
+
 std::unique_ptr<FluidField> Fluid::solution_in(MeshSnapshot mesh, double time, FluidStep& report) {
     Timer timer;
     const Dissection dissection = dissect(mesh);
-    const FluidNumbering numbers = number_unknowns(mesh, dissection, options_);
+    const FluidNumbering numbers = number_unknowns(mesh, dissection, options_, time);
     assemble(mesh, numbers, options_, past(), time, *system_);
     report.assembly_s += timer.lap();
     const Eigen::VectorXd unknowns =

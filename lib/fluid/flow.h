@@ -30,28 +30,27 @@ struct FluidStep {
 ///     dsc::Fluid fluid(complex, options);
 ///     for (int i = 0; i < 300; ++i) { fluid.step(simulation, 0.01); }
 ///
-/// The domain is a rectangle with sides parallel to the axes. Velocities are quadratic in each
-/// triangle and linear along each edge between two phases, pressures linear with a jump there:
-/// spurious currents at a polygon whose edges are in balance stay at rounding level. A step moves
-/// the interface by the velocity extrapolated in time (whatever the integrator of the simulation),
-/// and then solves for velocity and pressure in the new mesh, with inertia by particles that are
-/// followed back to the last two meshes. Second order in the edge length and in time; no limit on
-/// the time step from tension or from the speed. Vertices slide along the interface towards equal
-/// edges, unless the simulation's options adapt edges to the shape (`turn_degrees`, `gap`) or set
-/// their length (`on_interface`). Stages of the simulation, such as `TopologyStage`, run as in any
-/// other one. The area of each phase is constant: after each sub-step each curve is moved along its
-/// normal by the distance that restores the areas.
+/// The domain has any shape. Velocities are quadratic in each triangle and linear along each edge
+/// between two phases, pressures linear with a jump there: spurious currents at a polygon whose
+/// edges are in balance stay at rounding level. A step moves the interface by the velocity
+/// extrapolated in time (whatever the integrator of the simulation), and then solves for velocity
+/// and pressure in the new mesh, with inertia by particles that are followed back to the last two
+/// meshes. Second order in the edge length and in time; no limit on the time step from tension or
+/// from the speed. Vertices slide along the interface towards equal edges, unless the simulation's
+/// options adapt edges to the shape (`turn_degrees`, `gap`) or set their length (`on_interface`).
+/// Stages of the simulation, such as `TopologyStage`, run as in any other one. The area of each
+/// phase is constant, apart from what flows in and out: after each sub-step each curve is moved
+/// along its normal by the distance that restores the areas.
 ///
 /// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors, two
 /// copies of the mesh and the matrices of the elements, about 2 kB for each triangle. Results are
 /// bitwise identical for any number of threads. Not thread-safe.
 class Fluid {
 public:
-    /// Starts at rest at time 0; for `FluidEquations::stokes`, with the velocity that follows from
-    /// the interface. The complex must outlive the fluid. Throws InputError if an option is out of
-    /// range, a phase has no properties, two phases meet without a tension, or the domain is not a
-    /// rectangle with sides parallel to the axes; SolveError if the Stokes equations cannot be
-    /// solved.
+    /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
+    /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
+    /// has no properties, or two phases meet without a tension; SolveError if the equations of
+    /// Stokes cannot be solved.
     Fluid(const Complex<double>& complex, FluidOptions options);
     ~Fluid();
     Fluid(const Fluid&) = delete;
@@ -87,16 +86,17 @@ public:
 private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
     void transfer(Archive& archive);
+    [[nodiscard]] std::vector<double> inflows_at(const FluidPast& past, double at) const;
     [[nodiscard]] std::unique_ptr<FluidField> solution_in(MeshSnapshot mesh, double time,
                                                           FluidStep& report);
 
     const Complex<double>& complex_;
     FluidOptions options_;
-    std::vector<PhaseArea> areas_;    ///< to be conserved
-    double next_dt_ = 0;              ///< the length of the next step for the tolerance; 0: unknown
-    std::unique_ptr<FluidField> one_; ///< the last solution; null only during construction
-    std::unique_ptr<FluidField> two_; ///< the one before; null at the start
-    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one reuses its memory
+    std::vector<PhaseArea> areas_;        ///< to be held; what flows in and out is counted
+    double next_dt_ = 0;                  ///< the step that aims at the tolerance; 0: not known yet
+    std::unique_ptr<FluidField> one_;     ///< the last solution; null only during construction
+    std::unique_ptr<FluidField> two_;     ///< the one before; null at the start
+    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one uses its memory
 };
 
 } // namespace dsc

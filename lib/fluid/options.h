@@ -5,6 +5,7 @@
 
 #include "dsc/dsc.h"
 
+#include <functional>
 #include <vector>
 
 namespace dsc {
@@ -28,18 +29,20 @@ struct FluidTension {
     double contact_angle = 90;
 };
 
-/// The boundary condition at a side of the domain. Nothing flows through it.
+/// How a fluid moves at an edge of the domain boundary.
 enum class Wall : std::uint8_t {
-    no_slip, ///< the fluid is at rest
-    slip,    ///< the fluid slides without friction
+    no_slip, ///< it moves with the wall: it rests there, unless there is a `wall_velocity`
+    slip,    ///< it slides along without friction, and nothing flows through
+    open,    ///< it flows out, or in, without stress
 };
 
-/// The sides of the domain.
+/// The sides of the box around the domain, and the rest of its boundary.
 struct Walls {
     Wall left = Wall::no_slip;   ///< at the smallest x
     Wall right = Wall::no_slip;  ///< at the largest x
     Wall bottom = Wall::no_slip; ///< at the smallest y
     Wall top = Wall::no_slip;    ///< at the largest y
+    Wall other = Wall::no_slip;  ///< where the boundary is not on a side of the box
 };
 
 /// Which equations are solved.
@@ -54,6 +57,11 @@ struct FluidOptions {
     std::vector<FluidTension> tensions = {}; ///< each pair that meets, in any order
     Point<double> gravity{0.0, 0.0};         ///< acceleration
     Walls walls = {};                        ///< by side
+    /// If set, what the boundary is at an edge, by the middle of the edge, in place of `walls`.
+    std::function<Wall(const Point<double>& middle)> wall_at = {};
+    /// If set, the velocity of the walls that do not slip, by place and time: of walls that move,
+    /// or what flows in. Unless the boundary is open somewhere, as much flows out as in.
+    std::function<Point<double>(const Point<double>& place, double time)> wall_velocity = {};
     FluidEquations equations = FluidEquations::navier_stokes; ///< which are solved
     /// The tension acts at positions extrapolated by this fraction of the change of velocity in a
     /// step: from 0.5 on, tension does not limit the step. Larger values damp the shortest waves.

@@ -2,6 +2,7 @@
 #include "geometric_flows/curve_network.h"
 
 #include "dsc/complex/circulate.h"
+#include "dsc/geometry/side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,9 +70,17 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
             before = way_to(prev(c));
         }
     });
-    // The library slides vertices along straight boundaries only: any turn is a corner.
-    const bool is_straight = after.x * before.y == after.y * before.x && dot(after, before) < 0;
-    return is_straight ? along(after / norm(after)) : nowhere;
+    if (after.x * before.y == after.y * before.x && dot(after, before) < 0) {
+        return along(after / norm(after));
+    }
+    const Point<double> at(here.x, here.y);
+    const Point<double> from(here.x + before.x, here.y + before.y);
+    const Point<double> to(here.x + after.x, here.y + after.y);
+    if (side_at<double>(from, at, to) == Side::feature) {
+        return nowhere;
+    }
+    const Point<double> tangent = tangent_of_side<double>(from, at, to);
+    return along({tangent.x(), tangent.y()});
 }
 
 void CurveSystem::begin(const CurveGraph& graph) {

@@ -20,7 +20,7 @@ using Phases = std::vector<std::tuple<Phase, double, double, bool>>;
 // (phase, other phase, tension, contact angle)
 using Tensions = std::vector<std::tuple<Phase, Phase, double, std::optional<double>>>;
 // Whether the fluid slips along the left, right, bottom and top side.
-using Slip = std::array<bool, 4>;
+using Slip = std::array<bool, 5>;
 
 class FlowingFluid : public AnyFlow {
 public:
@@ -79,7 +79,8 @@ std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const 
             {one, other, tension, angle.value_or(FluidTension().contact_angle)});
     }
     const auto wall = [&](std::size_t side) { return slip[side] ? Wall::slip : Wall::no_slip; };
-    options.walls = {.left = wall(0), .right = wall(1), .bottom = wall(2), .top = wall(3)};
+    options.walls = {
+        .left = wall(0), .right = wall(1), .bottom = wall(2), .top = wall(3), .other = wall(4)};
     options.gravity = {gravity.first, gravity.second};
     options.equations = has_inertia ? FluidEquations::navier_stokes : FluidEquations::stokes;
     return std::make_unique<FlowingFluid>(mesh, options);

@@ -10,9 +10,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 namespace dsc::python {
 
@@ -57,9 +59,29 @@ InitialOptions initial_options(const py::dict& keywords) {
             .coverage = choices.coverage};
 }
 
+// A rectangle by two points, or the rings of a polygon.
+template <class Piece>
+Complex<double> first_complex(const std::vector<Points>& domain, std::span<const Piece> pieces,
+                              const InitialOptions& options, InputReport& report) {
+    const Points& first = domain.at(0);
+    if (domain.size() == 1 && first.size() == 2) {
+        return initial_complex<double>(Rectangle{first[0], first[1]}, pieces, options, &report);
+    }
+    if constexpr (std::is_same_v<Piece, Shape>) {
+        return initial_complex<double>(Polygon{first, {domain.begin() + 1, domain.end()}}, pieces,
+                                       options, &report);
+    } else {
+        throw InputError({.what = "curves in a domain that is no rectangle",
+                          .where = "initial_complex",
+                          .value = to_text(domain.size()) + " rings",
+                          .allowed = "shapes, which are clipped at the domain boundary"});
+    }
+}
+
 // The first complex from shapes (outline, phase inside) or from curves (points, left, right).
 template <class Piece, class... Phases>
-MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, Phases...>>& list,
+MadeMesh from_pieces(const std::vector<Points>& domain,
+                     const std::vector<std::tuple<Points, Phases...>>& list,
                      const py::dict& keywords) {
     std::vector<Piece> pieces;
     for (const auto& one : list) {
@@ -68,8 +90,8 @@ MadeMesh from_pieces(const Points& domain, const std::vector<std::tuple<Points, 
     const InitialOptions options = initial_options(keywords);
     InputReport report;
     const py::gil_scoped_release others_run; // sizes may be functions of Python
-    const auto mesh = std::make_shared<Mesh>(initial_complex<double>(
-        {domain.at(0), domain.at(1)}, std::span<const Piece>(pieces), options, &report));
+    const auto mesh = std::make_shared<Mesh>(
+        first_complex(domain, std::span<const Piece>(pieces), options, report));
     mesh->input_report = report;
     return mesh;
 }

@@ -106,7 +106,8 @@ struct RadialValue {
 
 /// A scene with its parameters filled in.
 struct Setup {
-    Rectangle domain{};
+    Rectangle domain{};               ///< or the box around it
+    std::optional<Polygon> polygon{}; ///< the domain, if it is no rectangle
     std::vector<Outline> outlines{};
     std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: all are phase 1
     std::vector<dsc::Curve> curves{}; ///< instead of outlines, if several phases meet

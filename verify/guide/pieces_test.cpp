@@ -83,6 +83,24 @@ TEST(Piece, ACurveBetweenTwoPhases) {
     EXPECT_NEAR(phase_area(complex, 2), 0.5, 1e-12);
 }
 
+TEST(Piece, ADomainOfAnyShape) {
+    const auto circle = [](const dsc::Point<double>& centre, double radius, int n) {
+        std::vector<dsc::Point<double>> points;
+        for (int i = 0; i < n; ++i) {
+            const double angle = 2 * std::numbers::pi * i / n;
+            points.emplace_back(centre.x() + radius * std::cos(angle),
+                                centre.y() + radius * std::sin(angle));
+        }
+        return points;
+    };
+
+    const dsc::Polygon ring(circle({0, 0}, 1, 200), {circle({0, 0}, 0.4, 80)});
+    const std::vector<dsc::Shape> shapes{{circle({0.7, 0.1}, 0.5, 100), 1}};
+    const auto complex = dsc::initial_complex<double>(ring, shapes, {.edge_length = 0.05});
+
+    EXPECT_NEAR(phase_area(complex, 0) + phase_area(complex, 1), std::numbers::pi * 0.84, 3e-3);
+}
+
 TEST_F(Pieces, AReportOfAStep) {
     dsc::Simulation<double> simulation(complex, options);
     const dsc::Velocity<double> velocity = [](auto, double, auto velocities) {

@@ -72,6 +72,27 @@ class AnotherDomain(unittest.TestCase):
             self.assertAlmostEqual(sum(mesh.areas.values()), 0.75, places=12)
 
 
+class PolygonDomain(unittest.TestCase):
+    RING = [disc(points=100, centre=(0, 0), radius=1), disc(points=50, centre=(0, 0), radius=0.4)]
+
+    def test_rings_make_a_domain_that_clips_shapes(self):
+        mesh = dsc.initial_complex(self.RING, {1: disc(points=60, centre=(0.7, 0), radius=0.6)}, edge_length=0.05)
+        self.assertEqual(mesh.validate(), "")
+        self.assertAlmostEqual(sum(mesh.areas.values()), np.pi * 0.84, delta=6e-3)
+        self.assertGreater(mesh.qualities.min(), 0.2)
+        one = {"type": "Polygon", "coordinates": [ring.tolist() for ring in self.RING]}
+        self.assertEqual(dsc.initial_complex(one, edge_length=0.05).mesh_hash,
+                         dsc.initial_complex(self.RING, edge_length=0.05).mesh_hash)
+
+    def test_a_fluid_rests_between_its_walls(self):
+        for slip in ((), ("other",)):
+            mesh = dsc.initial_complex(self.RING, edge_length=0.1)
+            sim = dsc.Simulation(mesh, edge_length=0.1)
+            fluid = dsc.Fluid(sim, {0: (1, 1)}, {}, gravity=(0.3, -1), slip=slip)
+            fluid.step(0.1)
+            self.assertLess(np.abs(fluid.velocities).max(), 1e-12)
+
+
 class Installed(unittest.TestCase):
     def test_the_version_is_that_of_the_project(self):
         project = pathlib.Path(__file__).parents[2] / "CMakeLists.txt"

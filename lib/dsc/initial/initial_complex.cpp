@@ -8,7 +8,9 @@
 #include "dsc/initial/build/interface.h"
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/input_check.h"
+#include "dsc/initial/input/line.h"
 
+#include <array>
 #include <cmath>
 
 namespace dsc {
@@ -21,6 +23,42 @@ constexpr double clearance = 0.5;
 // Room for the vertices of the outlines and for those that grade down to short pieces, so that
 // arrays of a large complex need not be copied to grow.
 constexpr std::size_t spare_per_piece = 4;
+
+// The triangles that are not outside the domain. The chains get the new numbers of their vertices.
+template <class Real>
+Complex<Real> without_outside(const Complex<Real>& complex, initial::Chains& chains) {
+    std::vector<std::uint32_t> number(complex.vertex_bound(), no_id);
+    std::vector<Point<Real>> points;
+    std::vector<std::array<std::uint32_t, 3>> kept;
+    std::vector<Phase> phases;
+    for (const Triangle t : triangles(complex)) {
+        if (complex.phase(t) == border_phase) {
+            continue;
+        }
+        std::array<std::uint32_t, 3>& corners = kept.emplace_back(complex.triangles[t.id].v);
+        phases.push_back(complex.phase(t));
+        for (std::uint32_t& v : corners) {
+            if (number[v] == no_id) {
+                number[v] = static_cast<std::uint32_t>(points.size());
+                points.push_back(complex.position(Vertex{v}));
+            }
+            v = number[v];
+        }
+    }
+    for (initial::Chain& chain : chains) {
+        for (std::uint32_t& v : chain) {
+            v = number[v];
+        }
+    }
+    try {
+        return make_complex<Real>(points, kept, phases);
+    } catch (const InputError& error) { // what the even-odd rule makes of such rings is no domain
+        throw InputError({.what = "rings of the domain touch each other",
+                          .where = "domain",
+                          .value = error.value(),
+                          .allowed = "rings that lie apart"});
+    }
+}
 
 // A complex with these paths as its interface.
 template <class Real>
@@ -46,6 +84,9 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
     std::vector<Corner> stack;
     for (const std::uint32_t v : touched) {
         legalise_star(complex, v, stack);
+    }
+    if (input.has_outside) {
+        complex = without_outside(complex, chains);
     }
     const auto interface_vertices = vertices_on(chains);
     if (options.sizes.is_uniform()) {
@@ -109,9 +150,69 @@ std::vector<std::string> sentences(const InputReport& report) {
     return all;
 }
 
+namespace {
+
+void check_phases(std::span<const Shape> shapes) {
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        require(shapes[k].phase != border_phase, initial::name_of(shapes, k), shapes[k].phase,
+                "phases from 0 to 4294967294; the next one is reserved");
+    }
+}
+
+// What surrounds a domain, as a shape in the rectangle around it.
+Shape outside_of(const Polygon& domain, double edge_length, Rectangle& around) {
+    require(domain.outline.size() >= 3, "points of the outline of the domain",
+            static_cast<double>(domain.outline.size()), "3 or more");
+    around = {domain.outline.front(), domain.outline.front()};
+    Shape outside{.outline = {}, .phase = border_phase, .holes = domain.holes};
+    outside.holes.insert(outside.holes.begin(), domain.outline);
+    for (const auto& ring : outside.holes) {
+        for (const Point<double>& p : ring) {
+            if (!p.allFinite()) {
+                throw InputError({.what = "a coordinate is not finite",
+                                  .where = "domain",
+                                  .value = to_text(p),
+                                  .allowed = "finite coordinates"});
+            }
+            around = {around.low.cwiseMin(p), around.high.cwiseMax(p)};
+        }
+    }
+    const Point<double> size = around.high - around.low;
+    require(edge_length > 0 && edge_length <= size.minCoeff(), "edge_length", edge_length,
+            "above 0, and at most " + to_text(size.minCoeff()) +
+                ", the smaller side of the box around the domain");
+    constexpr double margin = 2; // in edge lengths: room for triangles outside
+    around.low.array() -= margin * edge_length;
+    around.high.array() += margin * edge_length;
+    outside.outline = {around.low,
+                       {around.high.x(), around.low.y()},
+                       around.high,
+                       {around.low.x(), around.high.y()}};
+    return outside;
+}
+
+} // namespace
+
+template <class Real>
+Complex<Real> initial_complex(const Polygon& domain, std::span<const Shape> shapes,
+                              const InitialOptions& options, InputReport* report) {
+    check_phases(shapes);
+    Rectangle around;
+    std::vector<Shape> all(shapes.begin(), shapes.end());
+    all.push_back(outside_of(domain, options.edge_length, around));
+    InputReport found;
+    const auto input =
+        initial::check_input<Real>(around, std::span<const Shape>(all), options, found);
+    if (report != nullptr) {
+        *report = found;
+    }
+    return build<Real>(input, options, initial::Protection::lens);
+}
+
 template <class Real>
 Complex<Real> initial_complex(const Rectangle& domain, std::span<const Shape> shapes,
                               const InitialOptions& options, InputReport* report) {
+    check_phases(shapes);
     InputReport found;
     const auto input = initial::check_input<Real>(domain, shapes, options, found);
     if (report != nullptr) {
@@ -132,6 +233,8 @@ Complex<Real> initial_complex(const Rectangle& domain, std::span<const Curve> cu
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
+    template Complex<Real> initial_complex(const Polygon&, std::span<const Shape>,                 \
+                                           const InitialOptions&, InputReport*);                   \
     template Complex<Real> initial_complex(const Rectangle&, std::span<const Shape>,               \
                                            const InitialOptions&, InputReport*);                   \
     template Complex<Real> initial_complex(const Rectangle&, std::span<const Curve>,               \

@@ -19,6 +19,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -45,6 +46,19 @@ struct Curve {
 struct Rectangle {
     Point<double> low{0.0, 0.0};  ///< the corner of the smallest coordinates
     Point<double> high{1.0, 1.0}; ///< the corner of the largest coordinates
+};
+
+/// A domain of any shape. Rings may run either way and repeat their first point at the end, but not
+/// cross or touch.
+struct Polygon {
+    /// Not an aggregate: `{}` is a rectangle.
+    Polygon(std::vector<Point<double>> ring, std::vector<std::vector<Point<double>>> further = {})
+        : outline(std::move(ring)), holes(std::move(further)) {}
+
+    std::vector<Point<double>> outline;
+    /// Further rings: by the even-odd rule, holes in the outline, islands in these, and other
+    /// parts.
+    std::vector<std::vector<Point<double>>> holes;
 };
 
 // --- the frame -----------------------------------------------------------------------------------
@@ -168,6 +182,14 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
                               const InitialOptions& options = {}, InputReport* report = nullptr) {
     return initial_complex<Real>(domain, std::span(shapes.begin(), shapes.size()), options, report);
 }
+
+/// The same for a domain of any shape; what lies beyond its boundary is clipped. Points of the
+/// boundary are treated like those of outlines: what is finer than the mesh is thinned.
+///
+/// \throw InputError also where a ring of the domain crosses or touches another one.
+template <class Real>
+Complex<Real> initial_complex(const Polygon& domain, std::span<const Shape> shapes,
+                              const InitialOptions& options = {}, InputReport* report = nullptr);
 
 /// Triangulates `domain` with a planar network of curves as its interface.
 ///

@@ -4,6 +4,7 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 
 namespace dsc {
 
@@ -35,7 +36,7 @@ bool links_meet_elsewhere(const Complex<Real>& complex, std::uint32_t v, std::ui
 
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
-                            rewire::Vanishing end, JunctionRule junctions) {
+                            rewire::Vanishing end, JunctionRule junctions, BoundaryRule boundary) {
     const bool ccw = end == rewire::Vanishing::next;
     const Corner other = complex.twin(corner);
     const std::uint32_t v = complex.vertex(ccw ? next(corner) : prev(corner));
@@ -50,8 +51,12 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     const StarSummary summary = inspect(complex, region, v);
     const auto at = [&](std::uint32_t id) { return complex.position(Vertex{id}); };
 
+    const auto may_leave = [&](const Point<Real>& from, const Point<Real>& to) {
+        return boundary == BoundaryRule::exact ? orientation<Real>(from, at(v), to) == 0
+                                               : may_leave_side<Real>(from, at(v), to);
+    };
     if (summary.on_boundary &&
-        (!is_border(other) || orientation<Real>(at(summary.first), at(v), at(summary.last)) != 0)) {
+        (!is_border(other) || !may_leave(at(summary.first), at(summary.last)))) {
         return Verdict::on_boundary;
     }
     if (!summary.owned) {
@@ -106,7 +111,7 @@ Verdict star_collapse_guard(const Complex<Real>& complex, const Star<Real>& star
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Verdict star_collapse_guard(const Complex<Real>&, const Star<Real>&, std::uint32_t);  \
     template Verdict edge_collapse_guard(const Complex<Real>&, const Region&, Corner,              \
-                                         rewire::Vanishing, JunctionRule);
+                                         rewire::Vanishing, JunctionRule, BoundaryRule);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

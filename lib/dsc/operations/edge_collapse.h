@@ -17,12 +17,17 @@ namespace dsc {
 /// end of a curve into another vertex along the domain boundary.
 enum class JunctionRule : std::uint8_t { kept, may_merge };
 
+/// Which vertices may be collapsed along the domain boundary: those where it is straight to the bit
+/// (thesis, section 6.5), or those without which it keeps its shape within `side_deviation`.
+enum class BoundaryRule : std::uint8_t { exact, smooth };
+
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
-/// An interface vertex may be merged along its interface, a boundary vertex along a straight
-/// boundary (thesis, section 6.5). O(degree). Exact.
+/// An interface vertex may be merged along its interface, a boundary vertex along the boundary.
+/// O(degree). Exact, but for the smooth rule.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
-                            rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept);
+                            rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept,
+                            BoundaryRule boundary = BoundaryRule::exact);
 
 /// Which end of an edge a vertex is, as seen from the corner that names the edge; empty if the edge
 /// is not alive or the vertex is not one of its ends. O(1).
@@ -57,8 +62,10 @@ Verdict star_collapse_guard(const Complex<Real>& complex, const Star<Real>& star
 /// Collapses in that direction if it is legal. Thread-safe for disjoint submeshes. For algorithms
 /// that know that their corners are alive.
 template <class Real>
-Verdict edge_collapse(const Submesh<Real>& submesh, Corner corner, rewire::Vanishing end) {
-    const Verdict verdict = edge_collapse_guard(submesh.complex, submesh.region, corner, end);
+Verdict edge_collapse(const Submesh<Real>& submesh, Corner corner, rewire::Vanishing end,
+                      BoundaryRule boundary = BoundaryRule::exact) {
+    const Verdict verdict = edge_collapse_guard(submesh.complex, submesh.region, corner, end,
+                                                JunctionRule::kept, boundary);
     if (verdict == Verdict::legal) {
         rewire::collapse(submesh.complex, *submesh.log, corner, end, *submesh.pool);
     }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "dsc/base/verdict.h"
+#include "dsc/geometry/side.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
@@ -57,7 +58,8 @@ Real merged_on_boundary(const Star<Real>& star) {
 }
 
 /// Whether the centre, inside one phase on the domain boundary, may be collapsed because of a short
-/// edge there, or, if `is_poor`, for another reason.
+/// edge there, or, if `is_poor`, for another reason. Where a side is curved, an edge that is only
+/// short stays: to collapse it costs a little of the shape.
 template <class Real>
 bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
                                  bool is_poor = false) {
@@ -66,8 +68,13 @@ bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Re
     }
     const Real shorter =
         std::min(boundary_edge(star, true).squared, boundary_edge(star, false).squared);
+    const auto is_straight = [&] {
+        return side_at<Real>({star.link_x(0), star.link_y(0)}, {star.x0, star.y0},
+                             {star.link_x(star.size), star.link_y(star.size)}) == Side::straight;
+    };
+    const bool is_short = shorter < limits.shortest;
     return shorter < limits.blocking ||
-           ((is_poor || shorter < limits.shortest) && merged_on_boundary(star) < limits.longest);
+           (merged_on_boundary(star) < limits.longest && (is_poor || (is_short && is_straight())));
 }
 
 /// Whether the boundary edge with the domain on its left, as seen from the centre, is too long; or
@@ -113,19 +120,16 @@ bool collapse_on_boundary(Work<Real>& work, const Star<Real>& star,
     return false;
 }
 
-/// Splits the boundary edge with the domain on its left, as seen from the centre, or the other one,
-/// but only if the midpoint lies exactly on the domain boundary: a vertex beside it would be a
-/// corner of the domain. Activates the new vertex. After `out_of_ids` and `on_submesh_boundary`
-/// another submesh has to split it.
+/// Splits the domain boundary's edge with the domain on its left, as seen from the centre, or the
+/// other one: on the curve that the side follows at the centre. The new vertex is activated.
+/// `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
 template <class Real>
 SplitResult split_boundary(Work<Real>& work, const Star<Real>& star, bool is_first = true) {
     const BoundaryEdge<Real> incident_edge = boundary_edge(star, is_first);
-    const Point<Real> from(star.x0, star.y0);
-    const Point<Real> to(star.link_x(incident_edge.link), star.link_y(incident_edge.link));
-    const Point<Real> middle = midpoint<Real>(from, to);
-    if (orientation<Real>(from, middle, to) != 0) {
-        return {Verdict::on_boundary, {}};
-    }
+    const std::uint32_t before = is_first ? star.size : 0;
+    const Point<Real> middle =
+        middle_of_side<Real>({star.link_x(before), star.link_y(before)}, {star.x0, star.y0},
+                             {star.link_x(incident_edge.link), star.link_y(incident_edge.link)});
     if (!owns_place(work.submesh.region, middle)) {
         return {Verdict::on_submesh_boundary, {}};
     }

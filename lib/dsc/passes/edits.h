@@ -27,7 +27,7 @@ void activate_link(Work<Real>& work, const Star<Real>& star) {
 template <class Real>
 Verdict collapse_centre(Work<Real>& work, const Star<Real>& star, Corner corner,
                         rewire::Vanishing end) {
-    const Verdict verdict = edge_collapse(work.submesh, corner, end);
+    const Verdict verdict = edge_collapse(work.submesh, corner, end, BoundaryRule::smooth);
     if (verdict == Verdict::legal) {
         activate_link(work, star);
     }

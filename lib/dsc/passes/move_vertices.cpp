@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc/passes/algorithm.h"
 
+#include "dsc/geometry/side.h"
 #include "dsc/motion/movement.h"
 #include "dsc/passes/deferred.h"
 #include "dsc/passes/edits.h"
@@ -13,26 +14,14 @@ namespace dsc {
 
 namespace {
 
-// A vertex on the domain boundary stays there: it slides along a straight side and does not leave a
-// corner (thesis, section 6.4).
+// A vertex on the domain boundary stays there (thesis, section 6.4).
 template <class Real>
 void stay_on_boundary(const Star<Real>& star, Real& x, Real& y) {
-    const Real ax = star.link_x(0);
-    const Real ay = star.link_y(0);
-    const Real bx = star.link_x(star.size);
-    const Real by = star.link_y(star.size);
-    if (orientation(static_cast<double>(ax), static_cast<double>(ay), static_cast<double>(star.x0),
-                    static_cast<double>(star.y0), static_cast<double>(bx),
-                    static_cast<double>(by)) != 0) {
-        x = star.x0;
-        y = star.y0;
-        return;
-    }
-    const Real tx = bx - ax;
-    const Real ty = by - ay;
-    const Real along = ((x - star.x0) * tx + (y - star.y0) * ty) / (tx * tx + ty * ty);
-    x = star.x0 + along * tx;
-    y = star.y0 + along * ty;
+    const Point<Real> place = slid_on_side<Real>(
+        {star.link_x(0), star.link_y(0)}, {star.x0, star.y0},
+        {star.link_x(star.size), star.link_y(star.size)}, {x, y}, !star.one_phase);
+    x = place.x();
+    y = place.y();
 }
 
 // Defers an owned vertex to another colour, and stores the index of its queue entry in its record.

@@ -37,6 +37,34 @@ Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     return best;
 }
 
+// Whether a search has come to an edge of the domain, and not only by rounding.
+bool is_beyond(const Barycentric& at) {
+    constexpr double beyond = -1e-9;
+    return std::ranges::any_of(at, [](double a) { return a < beyond; });
+}
+
+// The nearest point of a triangle, nearly: so that a polynomial is not read outside.
+Spot pulled_in(Spot spot) {
+    double sum = 0;
+    for (double& a : spot.at) {
+        a = std::max(a, 0.0);
+        sum += a;
+    }
+    for (double& a : spot.at) {
+        a /= sum;
+    }
+    return spot;
+}
+
+// A point behind an edge of the domain: a little outside, where a side is curved, or on the other
+// side of a hole or notch.
+Spot beside_boundary(const MeshSnapshot& mesh, const Point<double>& x, const Spot& end) {
+    constexpr double near = -0.5;
+    const bool is_near = std::ranges::all_of(end.at, [](double a) { return a > near; });
+    const Spot found = is_near ? end : look_everywhere(mesh, x);
+    return is_beyond(found.at) ? pulled_in(found) : found;
+}
+
 // Checks that all indices are in range.
 bool has_valid_numbers(const FluidField& field) {
     const MeshSnapshot& mesh = field.mesh;
@@ -127,8 +155,7 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
     for (std::size_t steps = 0; steps < mesh.triangles.size(); ++steps) {
         const SnapshotTriangle& triangle = mesh.triangles[t];
         const Barycentric at = coordinates(mesh, triangle, point);
-        // Cross the edge beyond which the point lies farthest; it lies beyond the domain boundary
-        // only by rounding.
+        // Across the edge that it lies farthest behind, if that is no edge of the domain.
         std::uint32_t towards = no_id;
         double least = inside;
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -138,7 +165,7 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
             }
         }
         if (towards == no_id) {
-            return {t, at};
+            return is_beyond(at) ? beside_boundary(mesh, point, {t, at}) : Spot{t, at};
         }
         t = towards;
     }

@@ -110,6 +110,11 @@ FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
     for (const auto& [x, y] : numbers.velocity) {
         field.velocity.emplace_back(value(x), value(y));
     }
+    for (const WallNode& wall : numbers.walls.nodes) {
+        Point<double>& velocity = field.velocity[wall.node];
+        const Point<double> free = velocity;
+        velocity = free.x() * wall.first + free.y() * turned_left(wall.first) + wall.velocity;
+    }
     for (const SnapshotEdge& edge : field.mesh.interface) {
         field.velocity[edge.middle] = (field.velocity[edge.from] + field.velocity[edge.to]) / 2;
     }
@@ -126,7 +131,7 @@ FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
     }
     for (auto& corners : field.pressure) {
         for (double& p : corners) {
-            p -= numbers.has_void ? 0 : sum / whole;
+            p -= numbers.fixes_pressure() ? 0 : sum / whole;
         }
     }
     return field;

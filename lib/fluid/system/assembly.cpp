@@ -176,6 +176,45 @@ void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOpti
     });
 }
 
+// Turns the velocity at vertex or middle i into the directions of a wall.
+void turn(FluidElement& element, Eigen::Index i, const Point<double>& first) {
+    Eigen::Matrix2d turned; // the directions as columns
+    turned << first, turned_left(first);
+    element.matrix.middleRows<2>(2 * i) =
+        (turned.transpose() * element.matrix.middleRows<2>(2 * i)).eval();
+    element.matrix.middleCols<2>(2 * i) = (element.matrix.middleCols<2>(2 * i) * turned).eval();
+    element.forces.segment<2>(2 * i) =
+        (turned.transpose() * element.forces.segment<2>(2 * i)).eval();
+}
+
+// What walls fix becomes forces.
+void add_walls(FluidSystem& system, const MeshSnapshot& mesh, const FluidWalls& walls) {
+    std::vector<std::uint32_t> wall_at(mesh.nodes.size(), no_id);
+    for (std::uint32_t k = 0; k < walls.nodes.size(); ++k) {
+        const WallNode& wall = walls.nodes[k];
+        if (wall.first.y() != 0 || !wall.velocity.isZero(0)) {
+            wall_at[wall.node] = k;
+        }
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        FluidElement& element = system.elements[t];
+        for (Eigen::Index i = 0; const std::uint32_t node : mesh.triangles[t].nodes) {
+            if (wall_at[node] != no_id) {
+                const WallNode& wall = walls.nodes[wall_at[node]];
+                if (wall.first.y() != 0) {
+                    turn(element, i, wall.first);
+                }
+                for (const Eigen::Index k : {0, 1}) {
+                    if (wall.velocity[k] != 0) {
+                        element.forces -= element.matrix.col(2 * i + k) * wall.velocity[k];
+                    }
+                }
+            }
+            ++i;
+        }
+    }
+}
+
 } // namespace
 
 void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const FluidOptions& options,
@@ -215,6 +254,7 @@ void assemble(const MeshSnapshot& mesh, const FluidNumbering& numbers, const Flu
         element.pressure_scale = size / 3 / (fluid.viscosity + fluid.density * rate * extent);
     });
     add_contacts(system, mesh, options);
+    add_walls(system, mesh, numbers.walls);
 }
 
 } // namespace dsc

@@ -7,18 +7,6 @@ namespace dsc {
 
 namespace {
 
-std::array<bool, 2> held_by_boundary(const Point<double>& p, const Rectangle& domain,
-                                     const Walls& walls) {
-    const bool left = p.x() == domain.low.x();
-    const bool right = p.x() == domain.high.x();
-    const bool bottom = p.y() == domain.low.y();
-    const bool top = p.y() == domain.high.y();
-    const bool sticks =
-        (left && walls.left == Wall::no_slip) || (right && walls.right == Wall::no_slip) ||
-        (bottom && walls.bottom == Wall::no_slip) || (top && walls.top == Wall::no_slip);
-    return {sticks || left || right, sticks || bottom || top};
-}
-
 // All corners of one phase at a vertex share one pressure. It is identified by the first of them,
 // as 3 * triangle + corner.
 std::vector<std::array<std::uint32_t, 3>>
@@ -39,8 +27,13 @@ leaders_of_pressures(const MeshSnapshot& mesh, std::vector<std::vector<std::uint
 } // namespace
 
 FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
-                               const FluidOptions& options) {
+                               const FluidOptions& options, double time) {
     FluidNumbering numbers;
+    numbers.walls = walls_of(mesh, options, time);
+    std::vector<std::array<bool, 2>> held(mesh.nodes.size());
+    for (const WallNode& wall : numbers.walls.nodes) {
+        held[wall.node] = wall.held;
+    }
     numbers.is_middle_of_phases.assign(mesh.nodes.size(), 0);
     for (const SnapshotEdge& edge : mesh.interface) {
         numbers.is_middle_of_phases[edge.middle] = 1;
@@ -53,11 +46,11 @@ FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& disse
     numbers.has_void = std::ranges::any_of(mesh.triangles, [&](const SnapshotTriangle& t) {
         return fluid_of(options, t.phase).is_void;
     });
-    // Without a void the pressure is determined up to a constant: the last one is 0.
+    // The pressure may be determined up to a constant: the last one is 0 then.
     const auto last_vertex =
         std::ranges::find_if(dissection.nodes.rbegin(), dissection.nodes.rend(),
                              [&](std::uint32_t node) { return node < mesh.vertex_bound; });
-    const std::uint32_t last = numbers.has_void ? no_id : pressures[*last_vertex].back();
+    const std::uint32_t last = numbers.fixes_pressure() ? no_id : pressures[*last_vertex].back();
 
     numbers.velocity.assign(mesh.nodes.size(), {no_unknown, no_unknown});
     std::vector<int> of_leader(3 * mesh.triangles.size(), no_unknown);
@@ -68,9 +61,8 @@ FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& disse
             if (numbers.is_middle_of_phases[node] != 0) {
                 continue;
             }
-            const auto held = held_by_boundary(mesh.nodes[node], mesh.domain, options.walls);
             for (std::size_t k = 0; k < 2; ++k) {
-                if (!held[k]) {
+                if (!held[node][k]) {
                     numbers.velocity[node][k] = numbers.size++;
                 }
             }

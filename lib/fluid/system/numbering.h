@@ -4,6 +4,7 @@
 
 #include "fluid/options.h"
 #include "fluid/system/dissection.h"
+#include "fluid/system/walls.h"
 
 namespace dsc {
 
@@ -15,18 +16,22 @@ inline constexpr int no_unknown = -1;
 /// middle has no unknowns. The pressure of a vertex where phases meet has one unknown for each
 /// phase, so that jumps of the pressure balance the forces of the interface exactly.
 struct FluidNumbering {
-    int size = 0;                             ///< how many unknowns there are
-    std::vector<std::array<int, 2>> velocity; ///< by node: x and y
-    std::vector<std::array<int, 3>> pressure; ///< by triangle, at its vertices
-    std::vector<std::uint8_t>
-        is_middle_of_phases; ///< by node: whether its velocity is the mean of two vertices
-    bool has_void = false;   ///< whether the pressure is determined, not only its differences
+    int size = 0;                                  ///< how many unknowns there are
+    std::vector<std::array<int, 2>> velocity;      ///< by node: x and y, or as `walls` says
+    std::vector<std::array<int, 3>> pressure;      ///< by triangle, at its vertices
+    std::vector<std::uint8_t> is_middle_of_phases; ///< by node: whether it follows two vertices
+    bool has_void = false;                         ///< where the pressure is 0
+    FluidWalls walls;                              ///< where velocities are not free
     /// By part of the dissection: the first unknown of its inner nodes; and `size` at the end.
     std::vector<std::uint32_t> first_of_part;
+
+    /// Whether pressures are more than differences.
+    [[nodiscard]] bool fixes_pressure() const { return has_void || walls.has_open; }
 };
 
-/// Numbers the unknowns in the order of elimination; those of a node are consecutive. O(n phases).
+/// Numbers the unknowns at this time in the order of elimination; those of a node are consecutive.
+/// O(n phases).
 [[nodiscard]] FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
-                                             const FluidOptions& options);
+                                             const FluidOptions& options, double time);
 
 } // namespace dsc

@@ -2,7 +2,7 @@
 """Incompressible flow."""
 from . import _dsc, arrays
 
-SIDES = ("left", "right", "bottom", "top")
+SIDES = ("left", "right", "bottom", "top", "other")
 
 
 class Fluid(_dsc.Fluid):
@@ -18,8 +18,9 @@ class Fluid(_dsc.Fluid):
         `{(one, other): tension}`, for each pair that meets, or `(tension, angle)` with the contact
         angle in degrees between the interface and a slip wall, inside `other`.
     gravity : (2,) array_like
-    slip : set of {'left', 'right', 'bottom', 'top'}, or one of them
-        The sides of the domain with slip; the others are no-slip walls.
+    slip : set of {'left', 'right', 'bottom', 'top', 'other'}, or one of them
+        Where the fluid slides along the domain boundary; it rests elsewhere. The first four are the
+        sides of the box around the domain; 'other' is the boundary that lies on none of them.
     inertia : bool
         Whether the fluid has inertia; otherwise the Stokes equations are solved.
     tolerance : float

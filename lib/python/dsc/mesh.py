@@ -130,16 +130,17 @@ def _curve(value, where):
 
 
 def initial_complex(domain, shapes=None, *, curves=None, **options):
-    corners = arrays.points(domain, "domain")
-    if len(corners) != 2:
-        arrays.refuse("not a rectangle", "domain", f"{len(corners)} points",
-                      "two: the lower left corner and the upper right one")
+    rings = [ring for _, outline, holes in arrays.polygons(domain, "domain") for ring in (outline, *holes)]
+    if not rings or min(map(len, rings)) < (2 if len(rings) == 1 else 3):
+        arrays.refuse("not a domain", "domain", arrays.shown(domain),
+                      "two points: the lower left corner of a rectangle and the upper right one; or a "
+                      "polygon of three or more")
     pieces = arrays.shapes(shapes)
     if pieces and curves is not None:
         arrays.refuse("both shapes and curves are given", "initial_complex", "both", "either")
     if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
-    return Mesh._made_of(corners, pieces, options)
+    return Mesh._made_of(rings, pieces, options)
 
 
 def from_labels(array, domain=None, min_pixels=0, **options):
@@ -179,8 +180,9 @@ initial_complex.__doc__ = f"""Makes the first mesh of a simulation.
 
 Parameters
 ----------
-domain : array_like (2, 2)
-    The lower left and the upper right corner of a rectangle.
+domain : array_like (2, 2), or a polygon
+    The lower left corner of a rectangle, and the upper right one; or a polygon: (n, 2) points, a list
+    of such rings, the second of which is a hole in the first, or what has a `__geo_interface__`.
 shapes : dict, or an object with a __geo_interface__; optional
     For each phase a polygon (n, 2), a list of polygons, or an object with a `__geo_interface__`, such as
     polygons of shapely and columns of geopandas. Instead of the dict, a frame of geopandas or a

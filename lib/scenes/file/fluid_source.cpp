@@ -18,6 +18,7 @@ constexpr Bounds positive_property{1 / largest_property, largest_property};
 constexpr std::array wall_names{
     Named{Wall::no_slip, "no-slip"},
     Named{Wall::slip, "slip"},
+    Named{Wall::open, "open"},
 };
 constexpr std::array equations_names{
     Named{FluidEquations::navier_stokes, "navier-stokes"},
@@ -25,11 +26,11 @@ constexpr std::array equations_names{
 };
 
 Walls read_walls(const TableReader& reader) {
-    reader.allow({"left", "right", "bottom", "top"});
+    reader.allow({"left", "right", "bottom", "top", "other"});
     const auto wall = [&](const char* side) {
         return read_choice(reader, side, wall_names, Wall::no_slip);
     };
-    return {wall("left"), wall("right"), wall("bottom"), wall("top")};
+    return {wall("left"), wall("right"), wall("bottom"), wall("top"), wall("other")};
 }
 
 } // namespace

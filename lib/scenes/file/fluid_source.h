@@ -12,6 +12,9 @@
 //     tensions = [{ one = 0, other = 1, tension = 24.5, contact-angle = 60 }]
 //     tolerance = 0.01
 //
+// The walls are no-slip, slip or open. In a domain that is no rectangle the four names are those of
+// the sides of the box around it, and `other` is the boundary that lies on none of them.
+//
 // Each phase of the scene needs an entry, and each pair that meets a tension. The defaults are
 // no-slip walls, no gravity, contact angles of 90 degrees, and steps of `dt`. A phase without fluid
 // is { phase = 0, void = true }.

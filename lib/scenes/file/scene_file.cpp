@@ -25,6 +25,7 @@ struct SceneParts {
     std::string where;
     std::optional<Scene> base{};
     std::optional<Rectangle> domain{};
+    std::vector<OutlineSource> domain_outline{}; ///< in place of the rectangle
     bool is_clamped = false;
     std::vector<ShapeSource> shapes{};
     std::vector<CurveSource> curves{};
@@ -72,6 +73,22 @@ void check_size(const SceneParts& parts, double h, const Setup& setup) {
             "at most 100000 edges along a side, and 20000000 triangles");
 }
 
+void set_domain_outline(const std::vector<OutlineSource>& sources, double h, Setup& setup) {
+    std::vector<Outline> rings;
+    for (const OutlineSource& source : sources) {
+        for (const Piece& ring : source.pieces(h)) {
+            rings.push_back(ring.points);
+        }
+    }
+    setup.domain = {rings.at(0).at(0), rings.at(0).at(0)};
+    for (const Outline& ring : rings) {
+        for (const Point<double>& p : ring) {
+            setup.domain = {setup.domain.low.cwiseMin(p), setup.domain.high.cwiseMax(p)};
+        }
+    }
+    setup.polygon = Polygon{rings.at(0), {rings.begin() + 1, rings.end()}};
+}
+
 // Sets the motion of the interface, which must be exactly one.
 void set_motion(const SceneParts& parts, const Parameters& p, Setup& setup) {
     if (!parts.flow && !parts.curvature && !parts.growth && !parts.fluid) {
@@ -93,7 +110,11 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
     }
     Setup setup = parts.base ? parts.base->prepare(p) : scheduled_by(parts, p);
     setup.domain = parts.domain.value_or(setup.domain);
-    setup.clamped = parts.domain ? parts.is_clamped : setup.clamped;
+    const bool is_polygon = !parts.domain_outline.empty();
+    if (is_polygon) {
+        set_domain_outline(parts.domain_outline, p.h, setup);
+    }
+    setup.clamped = parts.domain || is_polygon ? parts.is_clamped : setup.clamped;
     check_size(parts, p.h, setup);
     if (!parts.shapes.empty() || !parts.curves.empty() || parts.labels) {
         setup.outlines.clear();
@@ -103,6 +124,12 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
         setup.labels = parts.labels;
         add_shapes(parts.shapes, p.h, setup);
         add_curves(parts.curves, p.h, setup);
+    }
+    if (setup.polygon && (setup.labels || !setup.curves.empty())) {
+        throw InputError({.what = "curves or labels in a domain that is no rectangle",
+                          .where = parts.where + ": domain.outline",
+                          .value = setup.labels ? "labels" : "curves",
+                          .allowed = "shapes, which are clipped at the domain boundary"});
     }
     set_motion(parts, p, setup);
     setup.advected = parts.advected.empty() ? setup.advected : parts.advected;
@@ -121,8 +148,13 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
 
 void read_geometry(const TableReader& top, SceneParts& parts) {
     if (top.has("domain")) {
-        parts.domain = read_domain(top.table("domain"));
-        parts.is_clamped = top.table("domain").flag_or(false, "clamped");
+        const TableReader domain = top.table("domain");
+        if (domain.has("outline")) {
+            parts.domain_outline = read_domain_outline(domain);
+        } else {
+            parts.domain = read_domain(domain);
+        }
+        parts.is_clamped = domain.flag_or(false, "clamped");
     }
     const std::vector<TableReader> shapes = top.tables("shape");
     for (const TableReader& shape : shapes) {
@@ -206,12 +238,15 @@ SceneFile read_scene_text(const std::string& text, const std::filesystem::path& 
     }
     read_options(top, file.scene.keys, file.scene.defaults);
     read_geometry(top, parts);
-    for (const char* kind : {"shape", "curve"}) {
-        for (const TableReader& source : top.tables(kind)) {
-            for (const char* key : {"file", "labels"}) {
-                if (source.has(key)) {
-                    file.outlines.push_back((path.parent_path() / source.text(key)).string());
-                }
+    std::vector<TableReader> sources = top.tables("shape");
+    std::ranges::copy(top.tables("curve"), std::back_inserter(sources));
+    if (!parts.domain_outline.empty()) {
+        std::ranges::copy(top.table("domain").tables("outline"), std::back_inserter(sources));
+    }
+    for (const TableReader& source : sources) {
+        for (const char* key : {"file", "labels"}) {
+            if (source.has(key)) {
+                file.outlines.push_back((path.parent_path() / source.text(key)).string());
             }
         }
     }

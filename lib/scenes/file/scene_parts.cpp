@@ -108,6 +108,16 @@ Rectangle read_domain(const TableReader& reader) {
     return domain;
 }
 
+std::vector<OutlineSource> read_domain_outline(const TableReader& reader) {
+    reader.allow({"outline", "clamped"});
+    std::vector<OutlineSource> sources;
+    for (const TableReader& outline : reader.tables("outline")) {
+        outline.allow(source_keys());
+        sources.push_back(read_outline_source(outline, true));
+    }
+    return sources;
+}
+
 ShapeSource read_shape(const TableReader& reader) {
     reader.allow(with_source_keys({"phase", "hole_phase"}));
     return {read_outline_source(reader, true), reader.phase_or(1, "phase"),

@@ -37,6 +37,9 @@ struct ExactSource {
 [[nodiscard]] std::string read_name(const TableReader& top);
 
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
+/// The sources of a domain that is no rectangle, from `outline`. Their pieces are rings: holes,
+/// islands and parts by the even-odd rule.
+[[nodiscard]] std::vector<OutlineSource> read_domain_outline(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
 /// Reads the [shape] with `labels`, and the file that it names.
 [[nodiscard]] std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader);

@@ -64,7 +64,8 @@ Complex<Real> first_complex(const Setup& setup, const Parameters& parameters, In
     for (std::size_t i = 0; i < setup.outlines.size(); ++i) {
         shapes.push_back({setup.outlines[i], setup.phases.empty() ? Phase{1} : setup.phases[i]});
     }
-    return initial_complex<Real>(setup.domain, shapes, options, report);
+    return setup.polygon ? initial_complex<Real>(*setup.polygon, shapes, options, report)
+                         : initial_complex<Real>(setup.domain, shapes, options, report);
 }
 
 template <class Real>

@@ -3,7 +3,6 @@
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
 #include "topology/films/bridge.h"
 #include "topology/films/film_ray.h"
@@ -274,8 +273,7 @@ private:
             const Point<Real> along = direction(complex_, boundary);
             const Real share = (at(one[1].id) - from).dot(along) / along.squaredNorm();
             const Point<Real> foot = from + share * along;
-            if (std::min(share, 1 - share) > static_cast<Real>(near_foot) &&
-                orientation<Real>(from, foot, at(complex_.vertex(prev(boundary)))) == 0) {
+            if (std::min(share, 1 - share) > static_cast<Real>(near_foot)) {
                 return edge_split(Submesh(complex_), boundary, foot).verdict == Verdict::legal;
             }
         }

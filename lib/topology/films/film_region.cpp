@@ -58,8 +58,7 @@ bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, R
         const Point<Real> from = complex.position(Vertex{complex.vertex(next(edge))});
         const Point<Real> to = complex.position(Vertex{complex.vertex(prev(edge))});
         const Point<Real> middle = (from + to) / Real(2);
-        if ((is_border(complex.twin(edge)) && orientation<Real>(from, middle, to) != 0) ||
-            edge_split(Submesh(complex), edge, middle).verdict != Verdict::legal) {
+        if (edge_split(Submesh(complex), edge, middle).verdict != Verdict::legal) {
             return splits > 0;
         }
     }

@@ -317,16 +317,13 @@ private:
         return has_landed;
     }
 
-    // A boundary vertex below the one that lands, or a new one there; only if it lies exactly
-    // on the domain boundary, as beside it the domain would have another corner.
+    // A boundary vertex below the one that lands, or a new one there.
     std::uint32_t foot_of(const Below& below, std::uint32_t end) {
         if (below.share < 1 - below.near) {
             const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
-            if (orientation<Real>(at(end), foot, at(below.other)) == 0) {
-                const SplitResult split = edge_split(submesh_, below.edge, foot);
-                if (split.verdict == Verdict::legal) {
-                    return split.vertex.id;
-                }
+            const SplitResult split = edge_split(submesh_, below.edge, foot);
+            if (split.verdict == Verdict::legal) {
+                return split.vertex.id;
             }
         }
         return below.other;

@@ -190,7 +190,7 @@ private:
             find_sectors(complex_, w, there_);
             if (there_.size() == 1 && !there_.is_at_corner) {
                 const auto end = is_first ? rewire::Vanishing::prev : rewire::Vanishing::next;
-                (void)edge_collapse(submesh_, edge, end);
+                (void)edge_collapse(submesh_, edge, end, BoundaryRule::smooth);
                 find_sectors(complex_, v, here_);
                 continue;
             }

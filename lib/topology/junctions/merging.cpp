@@ -62,7 +62,7 @@ private:
     Real quality_after(Vertex gone, Vertex kept) const {
         const Corner edge = edge_between();
         if (edge_collapse_guard(complex_, submesh_.region, edge, end_of(edge, gone),
-                                JunctionRule::may_merge) != Verdict::legal) {
+                                JunctionRule::may_merge, BoundaryRule::smooth) != Verdict::legal) {
             return 0;
         }
         Real worst = 1;

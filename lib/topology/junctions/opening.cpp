@@ -59,16 +59,13 @@ public:
         const Real most = way.norm();
         const Real share = std::min(length, room(Point<Real>(way / most)) / 2) / most;
         const Corner edge = is_first ? prev(corner_to(link_[0])) : next(corner_to(link_[last - 1]));
-        const Point<Real> far = complex_.position(Vertex{link_[is_first ? 0 : last]});
         std::uint32_t made = no_id;
         for (const Real factor : {share, std::min(share, Real(0.5)), std::min(share, Real(0.25))}) {
-            const Point<Real> point = place_ + factor * way;
-            if (orientation<Real>(place_, point, far) == 0) {
-                const SplitResult result = edge_split(submesh_, edge, point);
-                if (result.verdict == Verdict::legal) {
-                    made = result.vertex.id;
-                    break;
-                }
+            const SplitResult result =
+                edge_split(submesh_, edge, Point<Real>(place_ + factor * way));
+            if (result.verdict == Verdict::legal) {
+                made = result.vertex.id;
+                break;
             }
         }
         if (made == no_id) {
@@ -96,9 +93,6 @@ private:
         const Point<Real> a = complex_.position(Vertex{link_[0]});
         const Point<Real> b = complex_.position(Vertex{link_[1]});
         const Point<Real> middle = (a + b) / Real(2);
-        if (is_border(complex_.twin(c)) && orientation<Real>(a, middle, b) != 0) {
-            return false; // it would be a corner of the domain
-        }
         const SplitResult result = edge_split(submesh_, c, middle);
         if (result.verdict != Verdict::legal) {
             return false;

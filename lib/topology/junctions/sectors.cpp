@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 
 #include <cmath>
 #include <numbers>
@@ -68,8 +69,8 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
         const std::uint32_t from = complex.vertex(next(first));
         const std::uint32_t to = complex.vertex(prev(last));
         sectors.end = way(to);
-        sectors.is_at_corner = orientation<Real>(complex.position(Vertex{from}), here,
-                                                 complex.position(Vertex{to})) != 0;
+        sectors.is_at_corner = side_at<Real>(complex.position(Vertex{from}), here,
+                                             complex.position(Vertex{to})) == Side::feature;
     }
     for (std::size_t k = 0; k < list.size(); ++k) {
         list[k].angle =

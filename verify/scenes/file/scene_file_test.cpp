@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
 namespace dsc::scenes::scene_file_test {
 namespace {
@@ -136,6 +137,20 @@ TEST(SceneFile, ShapesOfSeveralPhasesRun) {
     EXPECT_NEAR(result.phases.phases[1].area, 0.24, 1e-9);
 }
 
+// A ring, by two sources or by two pieces of one, in which a disc is clipped.
+TEST(SceneFile, ADomainOfAnyShapeIsReadLikeAShape) {
+    const std::string shape = "[[shape]]\ncircle = { centre = [0.9, 0.5], radius = 0.3 }\n";
+    const std::string ring = "[[domain.outline]]\ncircle = { centre = [0.5, 0.5], radius = 0.5 }\n"
+                             "[[domain.outline]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
+    const RunResult result = run_text(options + "[flow]\nu = '0'\nv = '0'\n" + ring + shape);
+    EXPECT_TRUE(result.holds());
+    ASSERT_EQ(result.phases.phases.size(), 2U);
+    EXPECT_NEAR(result.phases.phases[0].area + result.phases.phases[1].area,
+                std::numbers::pi * 0.21, 6e-3);
+    EXPECT_THROW((void)run_text("scene = 'grains'\n" + options + ring), InputError);
+    EXPECT_THROW((void)run_text(options + "[domain]\nlow = [0, 0]\n" + ring), InputError);
+}
+
 TEST(SceneFile, ScalesAndMovesWhatItReads) {
     const scenes::Setup setup =
         setup_of(options + "[[shape]]\npoints = [[0, 0], [1, 0], [1, 1]]\nscale = [0.5, -0.5]\n"
@@ -182,6 +197,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[domain]\nlow = [0, nan]\n", {"s.toml:6", "[domain] low", "nan", "[x, y]"}},
         {options + "[domain]\nlow = [0, 0, 0]\n", {"s.toml:6", "[domain] low", "[x, y]"}},
         {options + "[fluid]\nwalls = { left = 'free' }\n", {"s.toml:6", "left", "free", "no-slip"}},
+        {options + "[domain]\noutline = { radius = 2 }\n", {"s.toml:6", "outline", "radius"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1, viscosity = -2 }]\n",
          {"s.toml:6", "viscosity", "-2"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1 }]\n", {"s.toml", "viscosity"}},

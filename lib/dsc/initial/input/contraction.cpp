@@ -103,16 +103,45 @@ private:
         return is_along_side(lattice_, p, p);
     }
 
+    // Whether a line belongs to the boundary of a domain that is no rectangle.
+    [[nodiscard]] bool is_side(std::uint32_t line) const {
+        return lines_[line].path.left == border_phase || lines_[line].path.right == border_phase;
+    }
+    // Whether that boundary turns at a junction of it.
+    [[nodiscard]] bool turns_at(const Junction& junction) const {
+        std::vector<Point<double>> beside;
+        for (const std::uint32_t line : junction.lines) {
+            const Points& points = lines_[line].given;
+            if (is_side(line)) {
+                beside.push_back(points.front() == junction.place ? points[1]
+                                                                  : points[points.size() - 2]);
+            }
+        }
+        constexpr double straight = 0.01; // radians
+        return beside.size() == 2 &&
+               std::abs(turn_angle<double>(beside[0], junction.place, beside[1])) > straight;
+    }
+
+    // On a side of the rectangle, or on the boundary of a domain that is no rectangle.
+    [[nodiscard]] bool is_on_boundary(const Junction& junction) const {
+        return is_on_side(junction.place) ||
+               std::ranges::any_of(junction.lines,
+                                   [this](std::uint32_t line) { return is_side(line); });
+    }
+
     void contract(std::uint32_t k) {
         const auto [one, other] = ends_[k];
         Junction& kept = junctions_[one];
         Junction& lost = junctions_[other];
-        const bool is_held = is_on_side(kept.place);
-        const bool is_other_held = is_on_side(lost.place);
-        if (is_held && is_other_held) {
+        const bool is_held = is_on_boundary(kept);
+        const bool is_other_held = is_on_boundary(lost);
+        // Two ends on one straight piece of a polygon's side become one.
+        const bool is_side_between = is_side(k) && lines_[k].given.size() == 2;
+        if (is_held && is_other_held && !is_side_between) {
             return;
         }
-        Point<double> target = is_held ? kept.place : lost.place;
+        Point<double> target =
+            is_held && !(is_side_between && turns_at(lost)) ? kept.place : lost.place;
         if (!is_held && !is_other_held) {
             const auto share = static_cast<double>(lost.given.size()) /
                                static_cast<double>(kept.given.size() + lost.given.size());
@@ -121,6 +150,9 @@ private:
         // An end on a side stays: the other one moves all the way to it.
         const double farthest =
             (is_held || is_other_held ? finest_edge : max_deviation) * edge_length_;
+        if (is_side_between && turns_at(kept) && turns_at(lost)) {
+            return; // both are corners of the domain
+        }
         double deviation = 0;
         for (const Junction* junction : {&kept, &lost}) {
             for (const Point<double>& p : junction->given) {

@@ -87,7 +87,7 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
 std::size_t count_points(std::span<const Shape> shapes) {
     std::size_t count = 0;
     for (const Shape& shape : shapes) {
-        count += shape.outline.size();
+        count += is_outside(shape) ? 0 : shape.outline.size();
         for (const Points& hole : shape.holes) {
             count += hole.size();
         }
@@ -129,6 +129,10 @@ std::vector<Line> lines_of(std::span<const Curve> curves) {
     std::vector<Line> lines(curves.size());
     for (std::size_t k = 0; k < curves.size(); ++k) {
         lines[k].path.name = "curve " + std::to_string(k);
+        for (const Phase phase : {curves[k].left, curves[k].right}) {
+            require(phase != border_phase, lines[k].path.name, phase,
+                    "phases from 0 to 4294967294; the next one is reserved");
+        }
         lines[k].path.left = curves[k].left;
         lines[k].path.right = curves[k].right;
         lines[k].given = curves[k].points;
@@ -138,10 +142,6 @@ std::vector<Line> lines_of(std::span<const Curve> curves) {
 }
 
 void check_phases(const CheckedPath& path) {
-    for (const Phase phase : {path.left, path.right.value_or(path.left)}) {
-        require(phase != border_phase, path.name, phase,
-                "phases from 0 to 4294967294; the next one is reserved");
-    }
     require(path.right != path.left, path.name, path.left, "two phases that differ on its sides");
 }
 
@@ -254,6 +254,7 @@ CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
     if (network) {
         lines = std::move(network->lines);
         input.background = network->background;
+        input.has_outside = network->has_outside;
     } else {
         lines = lines_of(drawn);
     }

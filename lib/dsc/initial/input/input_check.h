@@ -39,7 +39,12 @@ struct CheckedInput {
     Lattice lattice;
     std::vector<CheckedPath> paths{};
     Phase background = exterior_phase; ///< of the domain, if there is no path
+    bool has_outside = false;          ///< triangles of `border_phase` do not belong to the domain
 };
+
+/// A shape of `border_phase` is what surrounds the domain: its outline is the rectangle, and its
+/// holes are the rings of the domain.
+[[nodiscard]] inline bool is_outside(const Shape& shape) { return shape.phase == border_phase; }
 
 /// `Drawn` is `Shape` or `Curve`. Throws InputError as `initial_complex` documents, except for
 /// phases that contradict each other: `fill_phases` finds these. Adds to `report` what was left

@@ -151,7 +151,7 @@ public:
             });
             for (const ChainEdge& other : status) {
                 if (loops_[edge.loop].shape != loops_[other.loop].shape && cross(edge, other)) {
-                    const Point<double> place = rounded<Real>(place_of(points_, other, edge));
+                    const Point<double> place = rounded<Real>(crossing_of(other, edge));
                     found[{edge.loop, edge.at}].push_back(place);
                     found[{other.loop, other.at}].push_back(place);
                 }
@@ -238,6 +238,15 @@ private:
                    0;
         };
         return are_apart(one, other) && are_apart(other, one);
+    }
+
+    // The same bits for a border of two shapes, which has an edge of either.
+    [[nodiscard]] Point<double> crossing_of(const ChainEdge& one, const ChainEdge& other) const {
+        std::array<std::pair<std::uint32_t, std::uint32_t>, 2> edges{
+            std::minmax({one.from, one.to}), std::minmax({other.from, other.to})};
+        std::ranges::sort(edges);
+        return place_of(points_, ChainEdge{edges[0].first, edges[0].second, 0, 0},
+                        ChainEdge{edges[1].first, edges[1].second, 0, 0});
     }
 
     void add_loop(std::uint32_t id, std::uint32_t loop) {

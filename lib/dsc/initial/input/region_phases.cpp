@@ -188,6 +188,10 @@ private:
         return static_cast<std::uint32_t>(shapes_.size());
     }
 
+    [[nodiscard]] bool is_outside(std::uint32_t k) const {
+        return k < shapes_.size() && initial::is_outside(shapes_[k]);
+    }
+
     void measure() {
         for (std::uint32_t side = 0; side < 2 * noded_.edges.size(); ++side) {
             const std::uint32_t e = side / 2;
@@ -203,7 +207,8 @@ private:
             // Shapes that continue beyond an overlap, or begin beside a gap.
             const bool is_covered = within != Shapes{domain()};
             for (const std::uint32_t k : beyond) {
-                if (k != domain() && is_covered == std::ranges::binary_search(within, k)) {
+                if (k != domain() && !is_outside(k) &&
+                    is_covered == std::ranges::binary_search(within, k)) {
                     region.shared[k] += length;
                 }
             }
@@ -223,6 +228,9 @@ private:
     [[nodiscard]] Phase of_region(std::uint32_t side) {
         Shapes covering = regions_.covering(side);
         std::erase(covering, domain());
+        if (std::ranges::any_of(covering, [&](std::uint32_t k) { return is_outside(k); })) {
+            return border_phase; // whatever else reaches there
+        }
         if (!overlapping_.empty() && covering.size() > 1) {
             const std::map<std::uint32_t, double>& shared = region_[regions_.region(side)].shared;
             for (const auto& [one, other] : overlapping_) {
@@ -311,6 +319,9 @@ private:
     }
 
     void count(const Shapes& covering, const Point<double>& middle) {
+        if (std::ranges::any_of(covering, [&](std::uint32_t k) { return is_outside(k); })) {
+            return;
+        }
         for (std::size_t i = 0; i < covering.size() && covering[i] != domain(); ++i) {
             ++sides_of_[covering[i]];
             for (std::size_t j = i + 1; j < covering.size() && covering[j] != domain(); ++j) {

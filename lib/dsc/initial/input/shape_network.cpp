@@ -69,9 +69,10 @@ private:
         Line& line = lines.emplace_back();
         line.path.left = is_forth ? first.left : first.right;
         line.path.right = is_forth ? first.right : first.left;
-        line.path.name = "the border of phases " +
-                         std::to_string(std::max(first.left, first.right)) + " and " +
-                         std::to_string(std::min(first.left, first.right));
+        const auto [least, most] = std::minmax(first.left, first.right);
+        line.path.name = most == border_phase ? "the domain boundary"
+                                              : "the border of phases " + std::to_string(most) +
+                                                    " and " + std::to_string(least);
         line.given.push_back(points_[p]);
         for (const std::uint32_t begin = p;;) {
             done_[e] = 1;
@@ -120,6 +121,10 @@ void add_loop(std::span<const Point<double>> points, std::uint32_t shape, const 
     }
 }
 
+std::string ring_of_domain(std::size_t i) {
+    return i == 0 ? "the outline of the domain" : "the domain, hole " + std::to_string(i - 1);
+}
+
 // The sides of the domain, which bound gaps like a shape does.
 Loop domain_loop(const Lattice& lattice, std::size_t shape) {
     const auto& [low, high] = std::pair(lattice.low, lattice.high);
@@ -129,6 +134,40 @@ Loop domain_loop(const Lattice& lattice, std::size_t shape) {
     loop.points = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
     loop.numbers = {0, 1, 2, 3};
     return loop;
+}
+
+// Points of shapes within the tolerance of the domain boundary are moved onto it, so that joining
+// them does not bend it. O((n + m) log n) for n points and m edges, if few are near each other.
+template <class Real>
+void move_to_boundary(std::vector<Loop>& loops, std::uint32_t outside, double tolerance) {
+    std::vector<Point<double>*> points;
+    for (Loop& loop : loops) {
+        for (Point<double>& p : loop.points) {
+            if (loop.shape != outside) {
+                points.push_back(&p);
+            }
+        }
+    }
+    std::ranges::stable_sort(points, {}, [](const Point<double>* p) { return p->x(); });
+    std::vector<double> left;
+    std::ranges::transform(points, std::back_inserter(left),
+                           [](const Point<double>* p) { return p->x(); });
+    for (const Loop& loop : loops) {
+        for (std::size_t i = 0; loop.shape == outside && i < loop.points.size(); ++i) {
+            const Point<double>& a = loop.points[i];
+            const Point<double>& b = loop.points[i + 1 == loop.points.size() ? 0 : i + 1];
+            auto at = std::ranges::lower_bound(left, std::min(a.x(), b.x()) - tolerance);
+            for (; at != left.end() && *at <= std::max(a.x(), b.x()) + tolerance; ++at) {
+                Point<double>& p = *points[static_cast<std::size_t>(at - left.begin())];
+                if (distance<double>(p, a, b) <= tolerance) {
+                    p = distance<double>(p, a) <= tolerance ? a
+                        : distance<double>(p, b) <= tolerance
+                            ? b
+                            : rounded<Real>(nearest_point(p, a, b));
+                }
+            }
+        }
+    }
 }
 
 bool holds(const Points& polygon, const Point<double>& p) {
@@ -202,12 +241,15 @@ std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Latt
                                        const InitialOptions& options, InputReport& report) {
     std::vector<Loop> loops;
     bool is_plain = true;
+    const bool has_outside = !shapes.empty() && is_outside(shapes.back());
     for (std::uint32_t k = 0; k < shapes.size(); ++k) {
         const std::string name = name_of(shapes, k);
         add_loop<Real>(shapes[k].outline, k, name, loops);
         for (std::size_t i = 0; i < shapes[k].holes.size(); ++i) {
             is_plain = false;
-            add_loop<Real>(shapes[k].holes[i], k, name + ", hole " + std::to_string(i), loops);
+            const std::string ring = ", hole " + std::to_string(i);
+            add_loop<Real>(shapes[k].holes[i], k,
+                           !is_outside(shapes[k]) ? name + ring : ring_of_domain(i), loops);
         }
     }
     std::vector<Loop> small;
@@ -220,12 +262,17 @@ std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Latt
     });
     const Point<double> first = loops.empty() ? lattice.low : loops.front().points.front();
     const bool is_open = options.coverage == Coverage::open;
+    const double tolerance = options.border_tolerance * options.edge_length;
+    if (has_outside) {
+        move_to_boundary<Real>(loops, static_cast<std::uint32_t>(shapes.size() - 1), tolerance);
+    }
     if (!is_open && !loops.empty()) {
         loops.push_back(domain_loop(lattice, shapes.size()));
     }
-    const NodedShapes noded = node_shapes<Real>(
-        loops, lattice, options.border_tolerance * options.edge_length,
-        options.coverage == Coverage::first || options.coverage == Coverage::longest_border);
+    const NodedShapes noded =
+        node_shapes<Real>(loops, lattice, tolerance,
+                          has_outside || options.coverage == Coverage::first ||
+                              options.coverage == Coverage::longest_border);
     if (loops.size() == (is_open ? 0U : 1U) && noded.clipped > 0) {
         throw InputError({.what = "all shapes lie outside the domain",
                           .where = name_of(shapes, 0),
@@ -235,17 +282,13 @@ std::optional<ShapeNetwork> network_of(std::span<const Shape> shapes, const Latt
     if (is_plain && noded.is_as_given && is_open && !has_holes(shapes, loops)) {
         return std::nullopt;
     }
-    for (const Shape& shape : shapes) {
-        require(shape.phase != border_phase,
-                name_of(shapes, static_cast<std::uint32_t>(&shape - shapes.data())), shape.phase,
-                "phases from 0 to 4294967294; the next one is reserved");
-    }
     report.clipped += noded.clipped;
     for (const Loop& loop : small) {
         (void)is_dropped(loop.points, loop.name, options, report);
     }
     const std::vector<std::array<Phase, 2>> phases = phases_beside(noded, shapes, options);
     ShapeNetwork network;
+    network.has_outside = has_outside;
     std::vector<Border> borders;
     for (std::uint32_t e = 0; e < noded.edges.size(); ++e) {
         const NodedEdge& edge = noded.edges[e];

@@ -2,6 +2,7 @@
 #include "dsc/passes/algorithm.h"
 
 #include "dsc/base/verdict.h"
+#include "dsc/geometry/side.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/boundary.h"
@@ -150,8 +151,8 @@ private:
             return false;
         }
         const Star<Real>& end = work_.other_star;
-        return !end.one_phase || orientation<Real>(link_point(end, 0), {end.x0, end.y0},
-                                                   link_point(end, end.size)) != 0;
+        return !end.one_phase || side_at<Real>(link_point(end, 0), {end.x0, end.y0},
+                                               link_point(end, end.size)) == Side::feature;
     }
 
     // Gathers the star at the other end of an incident edge into `other_star`. False if that fails,

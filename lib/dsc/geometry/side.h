@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// The sides of the domain boundary: straight in any direction, up to rounding, or curved. Between
+// its features the boundary is taken as a smooth curve through its vertices, and near each vertex
+// as the circle through it and its two neighbours.
+#pragma once
+
+#include "dsc/geometry/points.h"
+#include "dsc/geometry/predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace dsc {
+
+/// What the domain boundary does at a vertex.
+enum class Side : std::uint8_t {
+    straight, ///< it goes on straight, up to rounding
+    curved,   ///< it turns by less than `side_turn_degrees`
+    feature,  ///< it turns by more
+};
+
+/// A sharper turn of the domain boundary is a feature, which stays where it is.
+inline constexpr double side_turn_degrees = 12;
+/// A vertex on a curved side may be removed if it lies within this share of the edge that is left.
+inline constexpr double side_deviation = 0.02;
+
+namespace detail {
+
+/// The height of `at` over the line from `from` to `to`, positive on its right, and the length of
+/// that line.
+template <class Real>
+struct SideHeight {
+    SideHeight(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to)
+        : chord(distance<Real>(from, to)),
+          height(cross<Real>(Point<Real>(to - from), Point<Real>(from - at)) / chord) {}
+    Real chord;
+    Real height;
+};
+
+} // namespace detail
+
+/// What the domain boundary does at `at`, between its neighbours. O(1).
+template <class Real>
+[[nodiscard]] Side side_at(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to) {
+    if (orientation<Real>(from, at, to) == 0) {
+        return Side::straight;
+    }
+    const double cosine_of_side_turn = 0.97814760073380564; // of `side_turn_degrees`
+    if (!turns_less<Real>(from, at, to, static_cast<Real>(cosine_of_side_turn))) {
+        return Side::feature;
+    }
+    // Each of the three points is rounded, and so is the middle of an edge that is rounded already;
+    // meshes from files may have ten digits.
+    const Real largest =
+        std::max({from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff(), at.cwiseAbs().maxCoeff()});
+    const detail::SideHeight<Real> over(from, at, to);
+    const Real rounding = std::max(4 * std::numeric_limits<Real>::epsilon() * largest,
+                                   static_cast<Real>(1e-10) * over.chord);
+    return std::abs(over.height) <= rounding ? Side::straight : Side::curved;
+}
+
+/// Whether the domain keeps its shape, up to rounding or `side_deviation`, if the vertex `at` of
+/// its boundary is removed. O(1).
+template <class Real>
+[[nodiscard]] bool may_leave_side(const Point<Real>& from, const Point<Real>& at,
+                                  const Point<Real>& to) {
+    const Side side = side_at<Real>(from, at, to);
+    if (side != Side::curved) {
+        return side == Side::straight;
+    }
+    const detail::SideHeight<Real> over(from, at, to);
+    return std::abs(over.height) <= static_cast<Real>(side_deviation) * over.chord;
+}
+
+/// The direction of the side at `at`, which is no feature: the tangent of the circle. O(1).
+template <class Real>
+[[nodiscard]] Point<Real> tangent_of_side(const Point<Real>& from, const Point<Real>& at,
+                                          const Point<Real>& to) {
+    const Point<Real> in = at - from;
+    const Point<Real> out = to - at;
+    return (in / in.squaredNorm() + out / out.squaredNorm()).normalized();
+}
+
+/// The place on the circle through the three points whose projection on the line from `from` to
+/// `to` lies at this distance from `from`. On a straight side it lies on that line. O(1).
+template <class Real>
+[[nodiscard]] Point<Real> point_of_side(const Point<Real>& from, const Point<Real>& at,
+                                        const Point<Real>& to, Real along) {
+    const detail::SideHeight<Real> over(from, at, to);
+    const Point<Real> way = (to - from) / over.chord;
+    const Real here = (at - from).dot(way);
+    // With q = t (chord - t), the height y over t satisfies y = k (q - y^2) on the circle; k is the
+    // same for all its points, and 0 for a line.
+    const Real k = over.height / (here * (over.chord - here) - over.height * over.height);
+    const Real q = along * (over.chord - along);
+    const Real y = 2 * k * q / (1 + std::sqrt(std::max(Real(0), 1 + 4 * k * k * q)));
+    return from + along * way + y * Point<Real>(way.y(), -way.x());
+}
+
+/// Where a vertex of the domain boundary goes that wants to go to `target`: along a straight side;
+/// nowhere from a feature. Along a curved side only ends of curves go: they have to, and each move
+/// costs a little of the shape. O(1).
+template <class Real>
+[[nodiscard]] Point<Real> slid_on_side(const Point<Real>& from, const Point<Real>& at,
+                                       const Point<Real>& to, const Point<Real>& target,
+                                       bool is_end_of_curve) {
+    const Real tx = to.x() - from.x();
+    const Real ty = to.y() - from.y();
+    const Real square = tx * tx + ty * ty;
+    const Real along = ((target.x() - at.x()) * tx + (target.y() - at.y()) * ty) / square;
+    if (orientation<Real>(from, at, to) == 0) {
+        return {at.x() + along * tx, at.y() + along * ty};
+    }
+    const Side side = side_at<Real>(from, at, to);
+    if (side == Side::feature || (side == Side::curved && !is_end_of_curve)) {
+        return at;
+    }
+    const Real here = (at - from).dot(to - from) / square;
+    if (side == Side::straight) {
+        return from + (here + along) * (to - from);
+    }
+    // It stops before its neighbours: one that is in the way is removed before the next sub-step.
+    constexpr auto near = Real(0.05); // of the way from one neighbour to the other
+    const Real share = std::clamp(here + along, std::min(here, near), std::max(here, 1 - near));
+    return point_of_side<Real>(from, at, to, share * std::sqrt(square));
+}
+
+/// The middle of the edge from `at` to `to` of the domain boundary: on the circle through these and
+/// the neighbour before, if the side is curved there. O(1).
+template <class Real>
+[[nodiscard]] Point<Real> middle_of_side(const Point<Real>& before, const Point<Real>& at,
+                                         const Point<Real>& to) {
+    if (side_at<Real>(before, at, to) != Side::curved) {
+        return midpoint<Real>(at, to);
+    }
+    const Real half = distance<Real>(at, to) / 2;
+    return point_of_side<Real>(at, before, to, half);
+}
+
+} // namespace dsc

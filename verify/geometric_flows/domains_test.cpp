@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Grains in domains that are no rectangles: their ends slide along oblique and curved sides.
+#include "dsc/dsc.h"
+#include "geometric_flows/geometric_flows.h"
+#include "shapes/voronoi.h"
+#include "shapes/voronoi_diagram.h"
+#include "topology/topology.h"
+
+#include "support/curve_testing.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace dsc::domains_test {
+namespace {
+
+using std::numbers::pi;
+using Points = std::vector<Point<double>>;
+
+Points circle(double radius, int n) {
+    Points points;
+    for (int i = 0; i < n; ++i) {
+        points.emplace_back(radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n));
+    }
+    return points;
+}
+
+struct Case {
+    const char* name;
+    Polygon domain;
+    double kept; // share of the area of the domain that may change
+};
+
+class Grains : public testing::TestWithParam<Case> {};
+
+TEST_P(Grains, CoarsenWithoutNeedles) {
+    constexpr double h = 0.03;
+    const Rectangle around{{-1.3, -1.3}, {2.3, 2.3}};
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        SCOPED_TRACE(seed);
+        const Points sites = scenes::random_sites(around, 120, seed);
+        const auto diagram = scenes::voronoi_diagram(around, sites);
+        std::vector<Shape> cells;
+        for (std::uint32_t i = 0; i < sites.size(); ++i) {
+            cells.push_back({diagram.corners_of(diagram.cells[i]), i + 1});
+        }
+        auto complex = initial_complex<double>(GetParam().domain, cells, {.edge_length = h});
+        double area = 0;
+        for (const Phase phase : phases(complex)) {
+            area += phase_area(complex, phase);
+        }
+        Options<double> options;
+        options.edge_length = h;
+        options.interface.feature_degrees = 180;
+        Simulation<double> simulation(complex, options);
+        simulation.add_stage(std::make_shared<TopologyStage<double>>(
+            TopologyOptions<double>{.rule = Topology::change}));
+        const std::size_t before = phases(complex).size();
+        for (int step = 0; step < 40; ++step) {
+            EXPECT_EQ(simulation.step(curvature_flow<double>(), 0.001 * step, 0.001).unreached, 0U);
+            EXPECT_GT(test::smallest_angle(complex), 5) << step;
+        }
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_LT(phases(complex).size(), before);
+        for (const Phase phase : phases(complex)) {
+            area -= phase_area(complex, phase);
+        }
+        EXPECT_NEAR(area, 0, GetParam().kept);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    InDomains, Grains,
+    testing::Values(Case{"ring", {circle(1, 210), {circle(0.4, 84)}}, 5e-3},
+                    Case{"l", {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 1e-12},
+                    Case{"turned", {{{0, 0}, {1.9, 0.6}, {1.6, 1.55}, {-0.3, 0.95}}}, 1e-12}),
+    [](const auto& each) { return each.param.name; });
+
+} // namespace
+} // namespace dsc::domains_test
