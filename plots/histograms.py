@@ -26,14 +26,21 @@ COLUMNS = 3
 
 
 def groups(scenes, verify):
-    """{(scene, quantity): {strategy: Histogram}}; a verify report overrides results of scenes."""
+    """{(scene, quantity): {strategy: Histogram}}; a verify report counts before a scene's.
+
+    Of runs with different edge lengths, those of the length of most strategies.
+    """
     result = {}
-    listed = list(verify.histograms) if verify else []
-    for item in listed + [h for scene in scenes for h in scene.histograms]:
-        if sum(item.counts) > 0:
-            result.setdefault((item.scene, item.quantity), {}).setdefault(item.strategy, item)
-    return {key: dict(sorted(found.items(), key=lambda pair: style.order(pair[0])))
-            for key, found in sorted(result.items())}
+    for source in ([verify.histograms] if verify else []) + [scene.histograms for scene in scenes]:
+        # The bins of areas are in units of the edge length's square.
+        sizes = {(item.scene, item.strategy): item.edges[-1] for item in source if item.quantity == "area"}
+        for item in source:
+            if sum(item.counts) > 0:
+                by_size = result.setdefault((item.scene, item.quantity), {})
+                of_size = by_size.setdefault(sizes.get((item.scene, item.strategy)), {})
+                of_size.setdefault(item.strategy, item)
+    return {key: dict(sorted(max(by_size.values(), key=len).items(), key=lambda pair: style.order(pair[0])))
+            for key, by_size in sorted(result.items())}
 
 
 def median(item):

@@ -82,7 +82,7 @@ def _head(context):
     return page.facts([
         ("machine", context.machine),
         ("cores", "" if "core" in context.machine else str(context.cores or "")),
-        ("busy with other work", f"{context.load} cores, as the measurement began"
+        ("busy with other work", f"{context.load} cores, in the median of the measurements"
          if context.load else ""), ("compiler", context.compiler),
         ("build", context.build_type), ("commit", context.commit), ("date", context.date)])
 

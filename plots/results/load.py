@@ -8,7 +8,7 @@ import json
 import math
 import os
 import statistics
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 
 class InputFault(Exception):
@@ -198,7 +198,12 @@ def read_bench(paths):
                 target.times_ns.append(time)
                 for key, value in values.items():
                     target.counters.setdefault(key, []).append(value)
-    return Bench(first[1] if first else Context(), list(measurements.values()), refused)
+    context = first[1] if first else Context()
+    # What the file's head says was read before the first measurement.
+    loads = [load for one in measurements.values() for load in one.counters.get("load", [])]
+    if loads:
+        context = replace(context, load=f"{statistics.median(loads):.2f}")
+    return Bench(context, list(measurements.values()), refused)
 
 
 @dataclass

@@ -181,6 +181,20 @@ class Plots(Case):
                       histograms.draw([], found, {})[0].sentence)
         self.assertEqual(histograms.draw([], found, {}, shown=set()), [])
 
+    def test_histograms_of_one_edge_length_are_compared(self):
+        def of(strategy, width, size):
+            return load.Scene("s.json", "s", strategy, {}, [
+                load.Histogram("s", strategy, "area", [0, size], [9]),
+                load.Histogram("s", strategy, "quality", [0, width], [9])])
+
+        fine, coarse = of("sequential", 1, 0.1), [of("cells", 1, 0.4), of("fixed", 1, 0.4)]
+        for quantity in ("area", "quality"):
+            self.assertEqual(list(histograms.groups([fine, *coarse], None)[("s", quantity)]), ["fixed", "cells"])
+
+    def test_the_load_is_that_of_the_measurements(self):
+        found = self.read_bench(bench(), change=lambda row: row.update(load=0.5))
+        self.assertEqual(found.context.load, "0.50")
+
     def test_frame_interface_and_area(self):
         shown = [(k, None, load_frames.read_frame(self.write(f"f{k}.vtu", VTU.format(x=x))))
                  for k, x in ((0, 1), (7, 1.5))]
