@@ -173,5 +173,32 @@ TEST(Operations3, SmoothingRaisesTheWorstQuality) {
     EXPECT_GE(done, seeds / 2);
 }
 
+TEST(Operations3, SmoothingAlongTheInterfaceRaisesTheWorstQuality) {
+    const auto done = run([](Complex& complex, Workspace& work, Pick& pick) {
+        const std::uint32_t v = complex.tets[pick.tet().id].v[pick.random.below(4)];
+        const Point from = complex.at(v);
+        gather(complex, v, pick.star);
+        const auto worst = [&] {
+            double quality = 1;
+            for (const Corner corner : pick.star.corners) {
+                quality = std::min(quality, quality_of(complex, tet_of(corner)));
+            }
+            return quality;
+        };
+        const double before = worst();
+        const Verdict verdict = smooth_along_interface(
+            complex, work, Vertex{v}, {.enough = 1, .farthest = 0.3, .deviation = 0.02});
+        if (verdict == Verdict::legal) {
+            EXPECT_TRUE(complex.is_interface(Vertex{v}));
+            EXPECT_GT(worst(), 1.2 * before);
+            EXPECT_LE((complex.at(v) - from).norm(), 0.6);
+        } else {
+            EXPECT_EQ(complex.at(v), from);
+        }
+        return if_legal(verdict, Change::interface);
+    });
+    EXPECT_GE(done, seeds / 3);
+}
+
 } // namespace
 } // namespace dsc3::test::operations_test

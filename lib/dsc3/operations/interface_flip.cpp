@@ -29,16 +29,22 @@ bool breaks_manifold(const Complex& complex, Workspace& work, std::uint32_t a, s
     return false;
 }
 
+// The tet joins the phase of a neighbour and takes its attributes.
+void join(Complex& complex, std::uint32_t tet, std::uint32_t neighbour) {
+    complex.phases[tet] = complex.phases[neighbour];
+    complex.attributes.copy_triangle(tet, neighbour);
+}
+
 // If the tet (a, b, c, d) exists, changing its phase moves the interface to its other two faces.
 Verdict take_other_side(Complex& complex, Workspace& work, std::uint32_t tet, std::uint32_t c,
-                        std::uint32_t d, Phase phase) {
+                        std::uint32_t d, std::uint32_t neighbour) {
     for (std::uint32_t i = 0; i < 4; ++i) {
         const std::uint32_t v = complex.tets[tet].v[i];
         if (v != c && v != d && complex.phase_at(complex.tets[tet].n[i]) != complex.phases[tet]) {
             return Verdict::changes_topology;
         }
     }
-    complex.phases[tet] = phase;
+    join(complex, tet, neighbour);
     ++complex.version;
     work.rewiring.changed.push_back(tet);
     ++work.counts.reassigned;
@@ -47,6 +53,32 @@ Verdict take_other_side(Complex& complex, Workspace& work, std::uint32_t tet, st
 
 bool is_flat(const Point& m, const Point& n, Real min_cos) {
     return m.dot(n) >= min_cos * m.norm() * n.norm();
+}
+
+// Of caps: the smallest angle, the factor by which a flip must raise it, and the cosine of the
+// largest angle between the faces afterwards.
+constexpr Real cap_degrees = 12;
+constexpr Real cap_gain = 1.5;
+constexpr Real cap_cos = 0.9;
+
+// Whether one of the faces at (a, b) is a cap whose flip moves the interface by less than `gap`.
+bool is_cap_to_flip(const Point& a, const Point& b, const Point& c, const Point& d, Real gap) {
+    const Point across = (b - a).cross(d - c);
+    if (!(gap > 0) || !(std::abs((c - a).dot(across)) <= gap * across.norm())) {
+        return false;
+    }
+    const Real before = std::min(min_angle_degrees(a, b, c), min_angle_degrees(a, b, d));
+    const Real after = std::min(min_angle_degrees(a, c, d), min_angle_degrees(b, c, d));
+    if (before >= cap_degrees || after <= cap_gain * before) {
+        return false;
+    }
+    const Point of_c = (b - a).cross(c - a);
+    const Point of_d = (d - a).cross(b - a);
+    const Point& larger = of_c.squaredNorm() > of_d.squaredNorm() ? of_c : of_d;
+    const Point after_a = (d - a).cross(c - a);
+    const Point after_b = (c - b).cross(d - b);
+    return is_flat(after_a, after_b, cap_cos) && is_flat(after_a, larger, cap_cos) &&
+           is_flat(after_b, larger, cap_cos);
 }
 
 } // namespace
@@ -99,8 +131,10 @@ Verdict interface_flip(Complex& complex, Workspace& work, const EdgeAt& edge,
     const Point before_d = (pd - pa).cross(pb - pa);
     const Point after_a = (pd - pa).cross(pc - pa);
     const Point after_b = (pc - pb).cross(pd - pb);
-    if (!is_flat(before_c, before_d, rules.min_cos) || !is_flat(after_a, after_b, rules.min_cos) ||
-        !is_flat(after_a, before_c, rules.min_cos) || !is_flat(after_b, before_c, rules.min_cos)) {
+    if ((!is_flat(before_c, before_d, rules.min_cos) || !is_flat(after_a, after_b, rules.min_cos) ||
+         !is_flat(after_a, before_c, rules.min_cos) ||
+         !is_flat(after_b, before_c, rules.min_cos)) &&
+        !is_cap_to_flip(pa, pb, pc, pd, rules.cap_gap)) {
         return Verdict::inverts;
     }
     if (breaks_manifold(complex, work, a, b, c, d)) {
@@ -113,8 +147,7 @@ Verdict interface_flip(Complex& complex, Workspace& work, const EdgeAt& edge,
         const std::uint32_t first = cut[side];
         const std::uint32_t size = (cut[1 - side] + ring.size - first) % ring.size + 1;
         if (size == 2) {
-            return take_other_side(complex, work, ring.tets[first], c, d,
-                                   complex.phases[ring.tets[cut[1 - side]]]);
+            return take_other_side(complex, work, ring.tets[first], c, d, ring.tets[cut[1 - side]]);
         }
         if (size > polygon_limit) {
             return Verdict::no_gain;
@@ -140,6 +173,7 @@ Verdict reassign_sliver(Complex& complex, Workspace& work, const EdgeAt& edge) {
     const Phase phase = complex.phases[t];
     std::array<std::uint32_t, 2> opposite{no_id, no_id};
     Phase beyond = border_phase;
+    std::uint32_t neighbour = border_tet;
     for (std::uint32_t i = 0; i < 4; ++i) {
         const Phase next = complex.phase_at(tet.n[i]);
         if (tet.v[i] == a || tet.v[i] == b) {
@@ -151,6 +185,7 @@ Verdict reassign_sliver(Complex& complex, Workspace& work, const EdgeAt& edge) {
                 return Verdict::changes_topology;
             }
             beyond = next;
+            neighbour = tet_of(tet.n[i]);
             opposite[opposite[0] == no_id ? 0 : 1] = tet.v[i];
         }
     }
@@ -169,14 +204,16 @@ Verdict reassign_sliver(Complex& complex, Workspace& work, const EdgeAt& edge) {
     if (breaks_manifold(complex, work, a, b, c, d)) {
         return Verdict::changes_topology;
     }
+    constexpr Real gain = 1.02;
     complex.phases[t] = beyond;
-    const Verdict verdict = edge_removal(complex, work, edge, 1.02);
-    if (verdict == Verdict::legal) {
-        ++work.counts.reassigned;
-    } else {
+    const Verdict verdict = edge_removal_guard(complex, work, edge, gain);
+    if (verdict != Verdict::legal) {
         complex.phases[t] = phase;
+        return verdict;
     }
-    return verdict;
+    join(complex, t, neighbour);
+    ++work.counts.reassigned;
+    return edge_removal(complex, work, edge, gain);
 }
 
 } // namespace dsc3

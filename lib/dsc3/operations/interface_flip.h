@@ -15,6 +15,9 @@ struct FlipRules {
     /// errors of vertices after Enright's test are 1.1 to 2.5 times as large.
     Real min_cos = 0.96;
     Real slack = 0.05; ///< of the Delaunay test: only clear violations are flipped
+    /// A length: the edge of a cap, a face with a vertex nearly on its longest edge, is flipped
+    /// whatever its normal, which is noise, if the diagonals are nearer to each other than this.
+    Real cap_gap = 0;
 };
 
 /// Whether the edge (a, b) with the opposite vertices c and d clearly violates the Delaunay

@@ -11,4 +11,17 @@ namespace dsc3 {
 /// not tried again until its star changes. O(degree).
 Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations = 6);
 
+/// Conditions of `smooth_along_interface`. Lengths are in units of the domain.
+struct AlongRules {
+    Real enough = 0;    ///< stars of this quality are not improved further
+    Real farthest = 0;  ///< largest move of the vertex
+    Real deviation = 0; ///< largest distance of the old position from the new faces, and vice versa
+};
+
+/// Moves an interface vertex on the quadric through its neighbours until its star is good enough.
+/// The worst quality must rise by a fifth, because the vertex is no marker of the flow afterwards.
+/// Refused off a sheet. O(degree).
+Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
+                               const AlongRules& rules);
+
 } // namespace dsc3

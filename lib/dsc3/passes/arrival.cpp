@@ -5,6 +5,7 @@
 #include "dsc3/operations/edge_collapse.h"
 #include "dsc3/passes/movement.h"
 #include "dsc3/passes/repair.h"
+#include "dsc3/passes/worst_tets.h"
 
 #include <algorithm>
 
@@ -92,6 +93,8 @@ std::uint32_t arrive(PassState& state) {
             move_quality = std::max(move_factor * move_quality, min_move);
         }
     }
+    improve_worst_tets(state);
+    drop_vanished(state);
     return passes;
 }
 

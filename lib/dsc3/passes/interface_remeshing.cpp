@@ -20,6 +20,8 @@ constexpr Real collapse_floor = 0.05;
 constexpr Real collapse_enough = 0.3;
 // A new vertex moves towards its position as long as the quality of its tets stays above this.
 constexpr Real insertion_quality = 0.02;
+// In edge lengths: flips of caps move the interface by less.
+constexpr Real cap_gap = 0.06;
 
 // The other face of the star at the edge to `face.x`.
 const StarFace* across(const InterfaceStar& interface_star, const StarFace& face) {
@@ -126,7 +128,8 @@ void flip(PassState& state) {
     for (const WantingEdge& edge : state.to_flip) {
         const EdgeAt at = find_edge(state.complex, edge.a, edge.b, state.work.star);
         if (at.is_valid()) {
-            interface_flip(state.complex, state.work, at);
+            interface_flip(state.complex, state.work, at,
+                           {.cap_gap = cap_gap * state.options.edge_length});
         }
     }
 }

@@ -13,7 +13,7 @@ struct InterfaceThresholds {
     double longest = 1.4;   ///< longer edges are split
     double shortest = 0.45; ///< shorter edges are collapsed
     /// ...if the removed vertex lies within this distance of the new interface,
-    double deviation = 0.02;
+    double deviation = 0.005;
     double always = 0.15; ///< or the edge is shorter than this
 };
 

@@ -7,6 +7,7 @@
 #include "dsc3/operations/edge_split.h"
 #include "dsc3/operations/interface_flip.h"
 #include "dsc3/operations/smoothing.h"
+#include "dsc3/passes/worst_tets.h"
 
 #include <algorithm>
 #include <limits>
@@ -42,6 +43,9 @@ public:
             if (complex_.is_alive(Tet{t}) && quality_of(complex_, t) < quality_) {
                 if (improve(t)) {
                     state_.collect_unfit(quality_);
+                } else if (complex_.is_alive(Tet{t}) &&
+                           quality_of(complex_, t) < worst_tet_quality) {
+                    state_.unimproved.push_back(t);
                 }
                 work_.rewiring.changed.clear();
             }

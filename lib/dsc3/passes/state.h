@@ -7,6 +7,7 @@
 #include "dsc3/passes/options.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace dsc3 {
@@ -34,16 +35,18 @@ struct PassState {
     const Options& options;
     Workspace work = {};
 
-    std::vector<std::uint32_t> interface = {}; ///< its vertices, by ascending id
-    std::vector<std::uint32_t> pending = {};   ///< vertices that have not arrived
-    std::vector<Point> targets = {};           ///< by vertex, for pending ones
-    std::vector<std::uint32_t> unfit = {};     ///< tets to be improved
-    std::uint64_t unjammed = 0;                ///< interface collapses of blocked vertices
+    std::vector<std::uint32_t> interface = {};  ///< its vertices, by ascending id
+    std::vector<std::uint32_t> pending = {};    ///< vertices that have not arrived
+    std::vector<Point> targets = {};            ///< by vertex, for pending ones
+    std::vector<std::uint32_t> unfit = {};      ///< tets to be improved
+    std::vector<std::uint32_t> unimproved = {}; ///< worst tets that mesh repair left bad
+    std::uint64_t unjammed = 0;                 ///< interface collapses of blocked vertices
 
     // Scratch of interface remeshing.
     std::vector<WantingEdge> too_short = {};
     std::vector<WantingEdge> too_long = {};
     std::vector<WantingEdge> to_flip = {};
+    std::vector<std::pair<Real, std::uint32_t>> worst = {}; ///< unimproved tets, by quality
     std::vector<std::uint32_t> around = {};
     // Scratch of movement.
     std::vector<MovingVertex> moving = {};      ///< by vertex

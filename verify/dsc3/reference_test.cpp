@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// A literal reference for the guards: a complex as a list of tets without any order, in which each
+// question is answered by going through all of them, and what an operation would leave is made and
+// looked at as a whole.
+#include "dsc3/geometry/tet.h"
+#include "dsc3/random_mesh.h"
+#include "support/environment.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <set>
+
+namespace dsc3::test::reference_test {
+namespace {
+
+const std::uint64_t seeds = dsc::test::are_asked_for("few") ? 2 : 40;
+constexpr int tries = 100;
+
+using Ids = std::set<std::uint32_t>;
+
+struct SetTet {
+    std::array<std::uint32_t, 4> v; // in an order that has positive orientation
+    Phase phase;
+
+    [[nodiscard]] bool has(std::uint32_t vertex) const {
+        return std::find(v.begin(), v.end(), vertex) != v.end();
+    }
+    [[nodiscard]] bool has(const Ids& vertices) const {
+        return std::all_of(vertices.begin(), vertices.end(), [&](auto x) { return has(x); });
+    }
+};
+using Tets = std::vector<SetTet>;
+
+Tets tets_of(const Complex& complex) {
+    Tets tets;
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        if (complex.is_alive(Tet{t})) {
+            tets.push_back({complex.tets[t].v, complex.phases[t]});
+        }
+    }
+    return tets;
+}
+
+Tets with(const Tets& tets, const Ids& vertices) {
+    Tets found;
+    std::copy_if(tets.begin(), tets.end(), std::back_inserter(found),
+                 [&](const SetTet& tet) { return tet.has(vertices); });
+    return found;
+}
+
+// Every face, with the phases of the tets that have it.
+std::map<Ids, std::vector<Phase>> faces_of(const Tets& tets) {
+    std::map<Ids, std::vector<Phase>> faces;
+    for (const SetTet& tet : tets) {
+        for (const std::uint32_t left_out : tet.v) {
+            Ids face(tet.v.begin(), tet.v.end());
+            face.erase(left_out);
+            faces[face].push_back(tet.phase);
+        }
+    }
+    return faces;
+}
+
+// The faces at these vertices between unlike phases.
+std::set<Ids> interface_at(const Tets& tets, const Ids& vertices) {
+    std::set<Ids> found;
+    for (const auto& [face, phases] : faces_of(with(tets, {*vertices.begin()}))) {
+        if (phases.size() == 2 && phases[0] != phases[1] &&
+            std::includes(face.begin(), face.end(), vertices.begin(), vertices.end())) {
+            found.insert(face);
+        }
+    }
+    return found;
+}
+
+bool is_interface(const Tets& tets, std::uint32_t v) { return !interface_at(tets, {v}).empty(); }
+
+Ids neighbours_on_interface(const Tets& tets, std::uint32_t v) {
+    Ids found;
+    for (const Ids& face : interface_at(tets, {v})) {
+        found.insert(face.begin(), face.end());
+    }
+    found.erase(v);
+    return found;
+}
+
+bool is_boundary(const Tets& tets, const Ids& vertices) {
+    const auto faces = faces_of(with(tets, {*vertices.begin()}));
+    return std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
+        return face.second.size() == 1 && std::includes(face.first.begin(), face.first.end(),
+                                                        vertices.begin(), vertices.end());
+    });
+}
+
+// Whether the interface at v is one disc of at least three faces: its link is one closed curve.
+bool is_sheet(const Tets& tets, std::uint32_t v) {
+    std::map<std::uint32_t, Ids> link;
+    for (Ids face : interface_at(tets, {v})) {
+        face.erase(v);
+        link[*face.begin()].insert(*face.rbegin());
+        link[*face.rbegin()].insert(*face.begin());
+    }
+    std::map<std::uint32_t, int> faces_at;
+    for (const Ids& face : interface_at(tets, {v})) {
+        for (const std::uint32_t x : face) {
+            ++faces_at[x];
+        }
+    }
+    Ids met;
+    std::vector<std::uint32_t> open{link.empty() ? v : link.begin()->first};
+    while (!open.empty()) {
+        const std::uint32_t x = open.back();
+        open.pop_back();
+        if (met.insert(x).second) {
+            open.insert(open.end(), link[x].begin(), link[x].end());
+        }
+    }
+    return link.size() >= 3 && met.size() == link.size() &&
+           std::all_of(link.begin(), link.end(), [&](const auto& at) {
+               return at.second.size() == 2 && faces_at[at.first] == 2;
+           });
+}
+
+Real quality_of(const Complex& complex, const SetTet& tet) {
+    return quality(complex.at(tet.v[0]), complex.at(tet.v[1]), complex.at(tet.v[2]),
+                   complex.at(tet.v[3]));
+}
+Real worst(const Complex& complex, const Tets& tets) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const SetTet& tet : tets) {
+        least = std::min(least, quality_of(complex, tet));
+    }
+    return least;
+}
+
+// Whether a quality is so near to its limit that rounding may decide.
+bool is_near(Real quality, Real limit) { return std::abs(quality - limit) < 1e-9; }
+
+// Asks the same of the guard and of the reference, which gives nothing where rounding may decide.
+using Answer = std::optional<bool>;
+struct Asked {
+    int legal = 0;
+    int refused = 0;
+};
+Asked compare(const std::function<Answer(const Complex&, const EdgeAt&)>& reference,
+              const std::function<Verdict(Complex&, Workspace&, const EdgeAt&)>& operation) {
+    Asked asked;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        Complex complex = random_mesh(seed);
+        Workspace work;
+        Random random(seed);
+        for (int i = 0; i < tries; ++i) {
+            const std::uint32_t t = 1 + random.below(complex.tet_bound() - 1);
+            const std::uint32_t a = random.below(4);
+            const std::uint32_t b = (a + 1 + random.below(3)) % 4;
+            if (!complex.is_alive(Tet{t})) {
+                continue;
+            }
+            const EdgeAt edge{t, complex.tets[t].v[a], complex.tets[t].v[b]};
+            const Answer answer = reference(complex, edge);
+            const Verdict verdict = operation(complex, work, edge);
+            if (answer) {
+                EXPECT_EQ(*answer, verdict == Verdict::legal)
+                    << "seed " << seed << ", try " << i << ": " << dsc::to_string(verdict);
+                ++(*answer ? asked.legal : asked.refused);
+            }
+            if (testing::Test::HasFailure()) {
+                return asked;
+            }
+        }
+    }
+    return asked;
+}
+
+TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
+    for (const Real floor : {1e-3, 0.2}) {
+        const CollapseRules rules{.floor = floor, .enough = floor, .min_cos = -1};
+        const Asked asked = compare(
+            [&](const Complex& complex, const EdgeAt& edge) -> Answer {
+                const auto [tet, v, to] = edge;
+                const Tets before = tets_of(complex);
+                const bool on_interface = is_interface(before, v);
+                if (is_boundary(before, {v}) ||
+                    (on_interface && (!is_interface(before, to) || is_boundary(before, {to})))) {
+                    return false;
+                }
+                Tets after;
+                Tets made;
+                for (SetTet each : before) {
+                    if (each.has(v) && each.has(to)) {
+                        continue;
+                    }
+                    if (each.has(v)) {
+                        *std::find(each.v.begin(), each.v.end(), v) = to;
+                        made.push_back(each);
+                    }
+                    after.push_back(each);
+                }
+                const Real was = worst(complex, with(before, {v}));
+                const Real limit = was < floor ? std::max(1.5 * was, std::min(floor, 1e-7)) : floor;
+                if (is_near(worst(complex, made), limit) || is_near(was, floor)) {
+                    return std::nullopt;
+                }
+                if (worst(complex, made) < limit) {
+                    return false;
+                }
+                if (!on_interface) {
+                    return true;
+                }
+                const Ids of_v = neighbours_on_interface(before, v);
+                const Ids of_to = neighbours_on_interface(before, to);
+                Ids common;
+                std::set_intersection(of_v.begin(), of_v.end(), of_to.begin(), of_to.end(),
+                                      std::inserter(common, common.end()));
+                const bool keeps_interface =
+                    interface_at(before, {v, to}).size() == 2 && common.size() == 2 &&
+                    of_v.size() > 3 && is_sheet(before, v) && is_sheet(before, to) &&
+                    std::all_of(common.begin(), common.end(), [&](std::uint32_t x) {
+                        return interface_at(before, {x}).size() > 3;
+                    });
+                if (keeps_interface) {
+                    for (const std::uint32_t x : of_v) {
+                        EXPECT_TRUE(!is_sheet(before, x) || is_sheet(after, x));
+                    }
+                }
+                return keeps_interface;
+            },
+            [&](Complex& complex, Workspace& work, const EdgeAt& edge) {
+                return edge_collapse(complex, work, Vertex{edge.a}, Vertex{edge.b}, rules);
+            });
+        EXPECT_TRUE(asked.legal > 50 || seeds < 40) << asked.legal;
+        EXPECT_TRUE(asked.refused > 50 || seeds < 40) << asked.refused;
+    }
+}
+
+// The link of an edge inside, in order, such that (a, b, x, next) has positive orientation.
+std::vector<std::uint32_t> link_of(const Complex& complex, const Tets& ring, std::uint32_t a,
+                                   std::uint32_t b) {
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (const SetTet& tet : ring) {
+        std::vector<std::uint32_t> others;
+        std::copy_if(tet.v.begin(), tet.v.end(), std::back_inserter(others),
+                     [&](std::uint32_t x) { return x != a && x != b; });
+        if (quality_of(complex, {{a, b, others[0], others[1]}, 0}) < 0) {
+            std::swap(others[0], others[1]);
+        }
+        next[others[0]] = others[1];
+    }
+    std::vector<std::uint32_t> link{next.begin()->first};
+    while (link.size() < ring.size()) {
+        link.push_back(next.at(link.back()));
+    }
+    return link;
+}
+
+// The largest worst quality over all triangulations of a polygon, each triangle with a and with b.
+Real best_of_all(const Complex& complex, std::uint32_t a, std::uint32_t b,
+                 const std::vector<std::uint32_t>& polygon) {
+    if (polygon.size() < 3) {
+        return std::numeric_limits<Real>::infinity();
+    }
+    Real best = -std::numeric_limits<Real>::infinity();
+    const std::uint32_t first = polygon.front();
+    const std::uint32_t last = polygon.back();
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+        const auto apex = polygon.begin() + static_cast<std::ptrdiff_t>(k);
+        const Real here =
+            worst(complex, {{{first, *apex, last, b}, 0}, {{*apex, first, last, a}, 0}});
+        best =
+            std::max(best, std::min({here, best_of_all(complex, a, b, {polygon.begin(), apex + 1}),
+                                     best_of_all(complex, a, b, {apex, polygon.end()})}));
+    }
+    return best;
+}
+
+TEST(Reference3, EdgesAreRemovedWhereOneOfAllTriangulationsIsBetter) {
+    const Asked asked = compare(
+        [](const Complex& complex, const EdgeAt& edge) -> Answer {
+            const Tets before = tets_of(complex);
+            const Ids ends{edge.a, edge.b};
+            const Tets ring = with(before, ends);
+            if (is_boundary(before, ends) || !interface_at(before, ends).empty() ||
+                ring.size() > polygon_limit) {
+                return false;
+            }
+            const Real best =
+                best_of_all(complex, edge.a, edge.b, link_of(complex, ring, edge.a, edge.b));
+            const Real limit = 1.0001 * worst(complex, ring);
+            return is_near(best, limit) ? std::nullopt : Answer(best > limit);
+        },
+        [](Complex& complex, Workspace& work, const EdgeAt& edge) {
+            return edge_removal(complex, work, edge);
+        });
+    EXPECT_TRUE(asked.legal > 50 || seeds < 40) << asked.legal;
+    EXPECT_TRUE(asked.refused > 50 || seeds < 40) << asked.refused;
+}
+
+TEST(Reference3, FacesFlipWhereThreeTetsAreBetterThanTwo) {
+    // The face opposite to the first vertex of the edge.
+    const Asked asked = compare(
+        [](const Complex& complex, const EdgeAt& edge) -> Answer {
+            const Tets before = tets_of(complex);
+            Ids face(complex.tets[edge.tet].v.begin(), complex.tets[edge.tet].v.end());
+            face.erase(edge.a);
+            const Tets two = with(before, face);
+            if (two.size() < 2 || two[0].phase != two[1].phase) {
+                return false;
+            }
+            std::uint32_t beyond = no_id;
+            for (const SetTet& tet : two) {
+                for (const std::uint32_t x : tet.v) {
+                    beyond = x != edge.a && face.count(x) == 0 ? x : beyond;
+                }
+            }
+            Real best = std::numeric_limits<Real>::infinity();
+            for (const std::uint32_t left_out : face) {
+                SetTet tet{complex.tets[edge.tet].v, 0};
+                *std::find(tet.v.begin(), tet.v.end(), left_out) = beyond;
+                best = std::min(best, quality_of(complex, tet));
+            }
+            const Real limit = 1.0001 * worst(complex, two);
+            return is_near(best, limit) ? std::nullopt : Answer(best > limit);
+        },
+        [](Complex& complex, Workspace& work, const EdgeAt& edge) {
+            return face_flip(complex, work,
+                             corner_of(edge.tet, index_in(complex.tets[edge.tet], edge.a)));
+        });
+    EXPECT_TRUE(asked.legal > 5 || seeds < 40) << asked.legal;
+    EXPECT_TRUE(asked.refused > 50 || seeds < 40) << asked.refused;
+}
+
+TEST(Reference3, InterfaceEdgesFlipWhereBothSidesCanBeFilled) {
+    const FlipRules rules{.floor = 0.01, .min_cos = -1, .slack = 0};
+    const Asked asked = compare(
+        [&](const Complex& complex, const EdgeAt& edge) -> Answer {
+            const Tets before = tets_of(complex);
+            const auto [tet, a, b] = edge;
+            const Ids ends{a, b};
+            const auto cut = interface_at(before, ends);
+            if (is_boundary(before, ends) || cut.size() != 2) {
+                return false;
+            }
+            Ids thirds;
+            for (Ids face : cut) {
+                face.erase(a);
+                face.erase(b);
+                thirds.insert(*face.begin());
+            }
+            const std::uint32_t c = *thirds.begin();
+            const std::uint32_t d = *thirds.rbegin();
+            const Real angles = angle_degrees(complex.at(c), complex.at(a), complex.at(b)) +
+                                angle_degrees(complex.at(d), complex.at(a), complex.at(b));
+            if (std::abs(angles - 180) < 1e-6) {
+                return std::nullopt;
+            }
+            const Ids crossing{c, d};
+            if (angles < 180 || !interface_at(before, crossing).empty() ||
+                interface_at(before, {a}).size() < 4 || interface_at(before, {b}).size() < 4) {
+                return false;
+            }
+            const Tets ring = with(before, ends);
+            std::vector<std::uint32_t> link = link_of(complex, ring, a, b);
+            const Real limit = std::min(rules.floor, std::max(worst(complex, ring), 1e-4));
+            for (const auto& [from, to] : {std::pair(c, d), std::pair(d, c)}) {
+                std::rotate(link.begin(), std::find(link.begin(), link.end(), from), link.end());
+                const auto end = std::find(link.begin(), link.end(), to) + 1;
+                const std::vector<std::uint32_t> piece(link.begin(), end);
+                if (piece.size() == 2) { // the tet (a, b, c, d) exists and changes its phase
+                    const Ids at_a{a, c, d};
+                    const Ids at_b{b, c, d};
+                    return interface_at(before, at_a).empty() && !is_boundary(before, at_a) &&
+                           interface_at(before, at_b).empty() && !is_boundary(before, at_b);
+                }
+                if (piece.size() > polygon_limit) {
+                    return false;
+                }
+                const Real best = best_of_all(complex, a, b, piece);
+                if (is_near(best, limit)) {
+                    return std::nullopt;
+                }
+                if (best < limit) {
+                    return false;
+                }
+            }
+            return true;
+        },
+        [&](Complex& complex, Workspace& work, const EdgeAt& edge) {
+            return interface_flip(complex, work, edge, rules);
+        });
+    EXPECT_TRUE(asked.legal > 20 || seeds < 40) << asked.legal;
+    EXPECT_TRUE(asked.refused > 50 || seeds < 40) << asked.refused;
+}
+
+} // namespace
+} // namespace dsc3::test::reference_test
