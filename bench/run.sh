@@ -263,6 +263,7 @@ run_scenes() {
         # which counts as unreached.
         run_scene grow-shrink grow-shrink --set dt=0.002 "${keep_frames[@]}"
         run_scene erode-dumbbell erode-dumbbell "${keep_frames[@]}"
+        run_scene johnson-mehl johnson-mehl "${keep_frames[@]}"
         run_scene t1 t1 "${keep_frames[@]}"
         run_scene grains grains --set h=0.01 "${keep_frames[@]}"
         run_scene foam foam --set h=0.01 "${keep_frames[@]}"

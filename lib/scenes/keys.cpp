@@ -77,6 +77,10 @@ std::vector<Key> make_keys() {
         for_some_scenes(number("angle", &P::angle, 5.0, 45.0, "5 to 45 degrees")),
         for_some_scenes(
             number("grains", &P::grains, 4, 1'000'000, "a whole number from 4 to 1000000")),
+        for_some_scenes(number("sites", &P::sites, std::uint64_t{0}, std::uint64_t{UINT32_MAX},
+                               "a whole number from 0 to 2^32 - 1, which draws the places")),
+        for_some_scenes(number("nucleation", &P::nucleation, 0.0, 1e4,
+                               "0 to 10000 discs per unit of area and time")),
         for_some_scenes(choice("inside", &P::inside, fineness_names)),
         for_some_scenes(choice("outside", &P::outside, fineness_names)),
         for_some_scenes(choice("ramp", &P::ramp, ramp_names)),

@@ -4,6 +4,7 @@
 
 #include "dsc/initial/label_image.h"
 #include "dsc/motion/interpolation.h"
+#include "flows/growing_discs.h"
 #include "flows/velocity.h"
 #include "fluid/options.h"
 #include "geometric_flows/curvature_flow.h"
@@ -30,6 +31,7 @@ struct CurvatureMotion {
 struct Growth {
     double speed = 1;    ///< of phase 1 into the exterior
     double turns_at = 0; ///< the time from which on it shrinks at that speed
+    std::shared_ptr<const GrowingDiscs> discs{}; ///< grow in place of phase 1, each from its start
 };
 
 /// A small wave on a level or around a circle, whose height over time is known.

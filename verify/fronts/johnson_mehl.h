@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Discs of different phases that grow at a speed of 1 until the unit square is full (W. A. Johnson
-// and R. F. Mehl, 1939). The exact result is the additively weighted Voronoi diagram: each point
-// belongs to the disc that reaches it first. It measures how accurately fronts meet.
+// How exactly fronts meet: discs that grow until the unit square is full, against the exact diagram
+// (flows/growing_discs.h).
 #pragma once
 
 #include "dsc/complex/complex.h"
-#include "topology/events.h"
+#include "flows/growing_discs.h"
 
 #include <map>
-#include <vector>
+#include <string>
 
 namespace dsc::fronts {
-
-/// Disc i is phase i + 1, in phase 0.
-struct Discs {
-    std::vector<Point<double>> centres;
-    std::vector<double> radii;
-
-    /// The time at which the front of disc i reaches a point.
-    [[nodiscard]] double arrival(std::size_t i, const Point<double>& p) const {
-        return (p - centres[i]).norm() - radii[i];
-    }
-};
-
-/// Discs at random places drawn from a seed, away from each other and from the sides. Seed 0: two
-/// or three discs at fixed places.
-[[nodiscard]] Discs discs_of(int number, std::uint64_t seed);
-
-/// The errors of a complex.
-struct Distance {
-    double wrong_area = 0;  ///< area of the parts of triangles that belong to another phase
-    double phase_error = 0; ///< largest error of the area of a disc
-    double seam_max = 0;    ///< largest distance from a seam's vertex to its bisector...
-    double seam_rms = 0;    ///< ...and the root-mean-square distance
-    double triple_max = 0;  ///< largest difference between the arrivals of the fronts of a junction
-    int triples = 0;        ///< junctions of three fronts or more
-};
-
-/// The errors at a time. O(triangles * discs) beside fronts.
-[[nodiscard]] Distance distance_from_exact(const Complex<double>& complex, const Discs& discs,
-                                           double time);
 
 struct Case {
     int number = 3;
@@ -51,7 +21,7 @@ struct Case {
 };
 
 struct Result {
-    Distance last;
+    scenes::DiagramError last;
     double time = 0; ///< at which the square was full
     bool is_full = false;
     bool is_valid = false;
@@ -63,7 +33,7 @@ struct Result {
     std::uint64_t mesh_hash = 0;
 };
 
-[[nodiscard]] Complex<double> first_complex(const Discs& discs, double h);
+[[nodiscard]] Complex<double> first_complex(const scenes::GrowingDiscs& discs, double h);
 [[nodiscard]] Result run(const Case& one);
 
 } // namespace dsc::fronts

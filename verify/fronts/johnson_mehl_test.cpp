@@ -12,20 +12,22 @@
 namespace dsc::fronts::johnson_mehl_test {
 namespace {
 
+using namespace scenes;
+
 TEST(JohnsonMehl, TheWrongAreaOfDiscsThatHaveNotGrownIsWhatTheyWouldGain) {
-    const Discs discs = discs_of(2, 0);
+    const GrowingDiscs discs = random_discs(2, 0);
     const Complex<double> complex = first_complex(discs, 0.01);
     const auto ring = [&](std::size_t i, double time) {
         return std::numbers::pi * time * (time + 2 * discs.radii[i]);
     };
     for (const double time : {0.005, 0.1}) { // before they meet
-        const Distance distance = distance_from_exact(complex, discs, time);
+        const DiagramError distance = diagram_error(complex, discs, time);
         const double polygons = 1e-4; // what inscribed polygons lack
         EXPECT_NEAR(distance.wrong_area, ring(0, time) + ring(1, time), 2 * polygons);
         EXPECT_NEAR(distance.phase_error, ring(0, time), polygons);
     }
-    EXPECT_LT(distance_from_exact(complex, discs, 0).wrong_area, 2e-4);
-    EXPECT_EQ(distance_from_exact(complex, discs, 0).seam_max, 0);
+    EXPECT_LT(diagram_error(complex, discs, 0).wrong_area, 2e-4);
+    EXPECT_EQ(diagram_error(complex, discs, 0).seam_max, 0);
 }
 
 TEST(JohnsonMehl, ASeamAcrossTheWholeSquareIsSeenAsItIs) {
@@ -33,13 +35,13 @@ TEST(JohnsonMehl, ASeamAcrossTheWholeSquareIsSeenAsItIs) {
     const std::vector<Curve> curves{{{{0.51, 0}, {0.51, 1}}, 1, 2}};
     const auto complex = initial_complex<double>({}, curves, {.edge_length = 0.02});
     const double time = 2;
-    const Discs even{{{0.21, 0.5}, {0.81, 0.5}}, {0.1, 0.1}};
-    EXPECT_LT(distance_from_exact(complex, even, time).wrong_area, 1e-12);
-    EXPECT_LT(distance_from_exact(complex, even, time).seam_max, 1e-12);
-    const Discs off{{{0.20, 0.5}, {0.80, 0.5}}, {0.1, 0.1}};
-    EXPECT_NEAR(distance_from_exact(complex, off, time).wrong_area, 0.01, 1e-9);
-    EXPECT_NEAR(distance_from_exact(complex, off, time).phase_error, 0.01, 1e-9);
-    EXPECT_NEAR(distance_from_exact(complex, off, time).seam_rms, 0.01, 1e-3);
+    const GrowingDiscs even{{{0.21, 0.5}, {0.81, 0.5}}, {0.1, 0.1}, {}};
+    EXPECT_LT(diagram_error(complex, even, time).wrong_area, 1e-12);
+    EXPECT_LT(diagram_error(complex, even, time).seam_max, 1e-12);
+    const GrowingDiscs off{{{0.20, 0.5}, {0.80, 0.5}}, {0.1, 0.1}, {}};
+    EXPECT_NEAR(diagram_error(complex, off, time).wrong_area, 0.01, 1e-9);
+    EXPECT_NEAR(diagram_error(complex, off, time).phase_error, 0.01, 1e-9);
+    EXPECT_NEAR(diagram_error(complex, off, time).seam_rms, 0.01, 1e-3);
 }
 
 TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {

@@ -146,6 +146,13 @@ Check of_space(std::string name, std::string description, const std::string& fig
             .at_least = at_least};
 }
 
+Check of_diagram(const char* name, const char* description, const char* figure) {
+    return {.name = name,
+            .description = description,
+            .group = "shape",
+            .figure = [figure](const RunResult& r) { return number(r.diagram, figure); }};
+}
+
 Check of_events(const char* name, const char* description, EventKind kind) {
     return {.name = name,
             .description = description,
@@ -280,6 +287,9 @@ std::vector<Check> table() {
         of_space("space_angle", "smallest dihedral angle at the end", "min_dihedral_deg_last",
                  true),
         of_space("space_angle_ever", "smallest dihedral angle ever", "min_dihedral_deg_ever", true),
+        of_diagram("wrong_area", "area at the end that belongs to another disc", "wrong_area_last"),
+        of_diagram("seam_error", "largest distance of a seam from where fronts meet",
+                   "seam_error_last"),
         of_events("merges", "pieces that merge", EventKind::merge),
         of_events("splits", "pieces that fall in two", EventKind::split),
         of_events("widenings", "times that a film opened farther than at first", EventKind::widen),

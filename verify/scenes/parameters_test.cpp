@@ -80,7 +80,7 @@ std::vector<Bad> bad_values() {
                               "99999999999999999999", "0x10", "+5", "5 "}) {
         list.push_back({"steps", value});
     }
-    for (const char* key : {"tolerance", "longest", "shortest", "deviation", "turn", "corner",
+    for (const char* key : {"tolerance", "longest", "shortest", "deviation", "turn", "feature",
                             "gap", "grading", "finest", "grade"}) {
         for (const char* value : {"", "abc", "-1", "nan", "inf", "1e9", "0.1x"}) {
             list.push_back({key, value});
@@ -114,7 +114,8 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
         {"finest", "0.0625"},     {"grade", "1.25"},     {"topology", "change"},
         {"contact", "0.0078125"}, {"min_area", "0.25"},  {"seams", "no"},
         {"give_back", "yes"},     {"detail", "keep"},    {"border_tolerance", "0.0625"},
-        {"coverage", "first"},    {"real", "float"},     {"seed", "18446744073709551615"}};
+        {"coverage", "first"},    {"real", "float"},     {"seed", "18446744073709551615"},
+        {"sites", "7"},           {"nucleation", "2.5"}};
     for (const Key& key : parameter_keys()) {
         ASSERT_TRUE(texts.contains(key.name)) << key.name;
         const std::string text = texts.at(key.name);

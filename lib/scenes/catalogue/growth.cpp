@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Growth along the normal, with phases that merge and split.
+// Growth along the normal, with phases that merge and split, or meet others.
 #include "flows/eroded_dumbbell.h"
+#include "flows/growing_discs.h"
 #include "flows/two_discs.h"
 #include "scenes/catalogue/families.h"
 #include "shapes/shapes.h"
@@ -51,6 +52,21 @@ Setup dumbbell_to_two_lobes(const Parameters& p) {
     return setup;
 }
 
+/// The exact cell of disc 1 is what its shape is compared with; the wrong area is that of all.
+Setup discs_fill_the_square(const Parameters& p) {
+    const auto discs =
+        std::make_shared<const GrowingDiscs>(nucleating_discs(p.grains, p.sites, p.nucleation));
+    Setup setup = scheduled(p, filling_time(*discs) + 2 * p.h, 0.5 * p.h);
+    for (std::size_t i = 0; i < discs->radii.size(); ++i) {
+        setup.outlines.push_back(circle(discs->centres[i], discs->radii[i], p.h));
+        setup.phases.push_back(static_cast<Phase>(i + 1));
+    }
+    setup.measured = 1;
+    setup.growth = Growth{.turns_at = std::numeric_limits<double>::infinity(), .discs = discs};
+    setup.exact = [discs](double time) { return exact_cell(*discs, 0, time); };
+    return setup;
+}
+
 } // namespace
 
 std::vector<Scene> growth_scenes() {
@@ -67,6 +83,17 @@ std::vector<Scene> growth_scenes() {
          .defaults =
              {.h = 0.01, .dt = 0, .interface = {.longest = 0.7}, .topology = Topology::change},
          .prepare = dumbbell_to_two_lobes},
+        {.name = "johnson-mehl",
+         .description = "discs of as many phases grow, meet, and fill the square",
+         .section = "13",
+         .defaults = {.h = 0.02,
+                      .dt = 0,
+                      .grains = 10,
+                      .sites = 11,
+                      .interface = {.longest = 0.7},
+                      .topology = Topology::change},
+         .prepare = discs_fill_the_square,
+         .keys = common_keys({"grains", "sites", "nucleation"})},
     };
 }
 

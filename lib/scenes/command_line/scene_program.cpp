@@ -69,6 +69,12 @@ void print_summary(const RunResult& r) {
                   << number(r.fluid, "solve_s") << " s, assembly " << number(r.fluid, "assembly_s")
                   << " s, mesh " << number(r.fluid, "dsc_s") << " s";
     }
+    if (!r.diagram.empty()) {
+        std::cout << "\n  against the exact diagram: wrong area "
+                  << number(r.diagram, "wrong_area_last") << ", seams off by up to "
+                  << number(r.diagram, "seam_error_last") << ", junctions by "
+                  << number(r.diagram, "junction_error_last");
+    }
     for (const std::string& sentence : sentences(r.input)) {
         std::cout << "\n  " << sentence;
     }

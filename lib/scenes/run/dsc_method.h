@@ -81,7 +81,9 @@ public:
             by_curvature_ = curvature_flow<Real>(curvature_of(*setup.curvature));
         }
         if (setup.growth) {
-            algorithm = growth_algorithm(complex_, growth_of(*setup.growth, both_ways));
+            algorithm =
+                growth_algorithm(complex_, growth_of(*setup.growth, both_ways,
+                                                     std::numeric_limits<double>::infinity()));
         }
         auto executor = make_executor(complex_, options_, run.strategy, submeshing,
                                       algorithm ? &*algorithm : nullptr);
@@ -132,8 +134,8 @@ public:
             step_fluid(begin, result);
         } else if (setup_.growth) {
             const double way = both_ways(*setup_.growth, begin);
-            const auto flow = dsc::growth<Real>(
-                growth_of(*setup_.growth, [way](const Growth&, double) { return way; }));
+            const auto flow = dsc::growth<Real>(growth_of(
+                *setup_.growth, [way](const Growth&, double) { return way; }, begin));
             take(simulation_->step(flow, time, dt), begin, result);
         } else if (setup_.curvature) {
             take(simulation_->step(by_curvature_, time, dt), begin, result);
@@ -241,10 +243,22 @@ private:
     static double both_ways(const Growth& growth, double time) {
         return time < growth.turns_at * (1 - 1e-9) ? 1 : -1;
     }
+    // Of a step that begins at a time: a disc that begins to grow within it does so at that part
+    // of its speed.
     template <class Way>
-    static dsc::GrowthOptions<Real> growth_of(const Growth& growth, Way way) {
+    [[nodiscard]] dsc::GrowthOptions<Real> growth_of(const Growth& growth, Way way,
+                                                     double begin) const {
         dsc::GrowthOptions<Real> options;
-        options.speeds = {{.growing = 1, .into = exterior_phase, .speed = growth.speed}};
+        if (!growth.discs) {
+            options.speeds = {{.growing = 1, .into = exterior_phase, .speed = growth.speed}};
+        } else {
+            for (std::size_t i = 0; i < growth.discs->radii.size(); ++i) {
+                const double share = (begin + setup_.dt - growth.discs->start(i)) / setup_.dt;
+                options.speeds.push_back({.growing = static_cast<Phase>(i + 1),
+                                          .into = exterior_phase,
+                                          .speed = growth.speed * std::clamp(share, 0.0, 1.0)});
+            }
+        }
         options.factor = [growth, way](const Point<Real>&, Real time) {
             return static_cast<Real>(way(growth, static_cast<double>(time)));
         };

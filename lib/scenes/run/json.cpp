@@ -109,6 +109,9 @@ std::string to_json(const RunResult& r) {
     for (const Figure& figure : r.fluid) {
         json[figure.name] = to_json(figure.value);
     }
+    for (const Figure& figure : r.diagram) {
+        json[figure.name] = to_json(figure.value);
+    }
     json["attribute_error_last"] = r.attribute_error;
     json.update({
         {"phases", phases_json(r.phases)},

@@ -285,6 +285,14 @@ private:
         result_.interface_vertices_last = method_.interface_vertices();
         result_.last = figures(options_.measures);
         result_.area_ratio = signed_area(outlines()) / result_.area_first;
+        if (setup_.growth && setup_.growth->discs) {
+            const DiagramError error = diagram_error(complex(), *setup_.growth->discs, time_);
+            result_.diagram = {{"wrong_area_last", error.wrong_area},
+                               {"phase_error_last", error.phase_error},
+                               {"seam_error_last", error.seam_max},
+                               {"seam_error_rms_last", error.seam_rms},
+                               {"junction_error_last", error.triple_max}};
+        }
         if constexpr (!std::is_same_v<Method, ReferenceMethod>) {
             result_.attribute_error = method_.value_error();
             result_.fluid = method_.fluid_figures();

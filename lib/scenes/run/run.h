@@ -70,6 +70,7 @@ struct RunResult {
     /// Largest error of the value that the scene keeps at vertices, at the end; NaN without one.
     double attribute_error = std::numeric_limits<double>::quiet_NaN();
     Figures fluid;      ///< of a fluid (fluid_run.h); empty without one
+    Figures diagram;    ///< of growing discs, against the exact diagram; empty without them
     PhaseReport phases; ///< at the end, like the next
     JunctionFigures junctions;
     double min_quality_ever = 0;
