@@ -10,7 +10,6 @@
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
-#include "dsc/queries/phases.h"
 #include "dsc/sizes/rule.h"
 
 #include <algorithm>
@@ -367,10 +366,8 @@ private:
             see_from_beyond(complex_, beyond, v, curve);
         }
         const auto& options = work_.options;
-        Point<Real> point =
-            options.insertion_function
-                ? options.insertion_function(curve)
-                : between_sheets(star, i, curve, insertion_point(options.insertion, curve));
+        Point<Real> point = options.insertion_function ? options.insertion_function(curve)
+                                                       : insertion_point(options.insertion, curve);
         if (!owns_point(point)) {
             point = midpoint<Real>(curve.p1, curve.p2);
             if (!owns_point(point)) {
@@ -390,23 +387,6 @@ private:
             newest_ = result.vertex.id;
         }
         return true;
-    }
-
-    // A new vertex bends the interface unless another sheet is nearer than an eighth of the edge.
-    // Of such sheets, those that bend away from their neighbour could follow the curve, and those
-    // behind them could not: films would swell.
-    Point<Real> between_sheets(const Star<Real>& star, std::uint32_t i,
-                               const CurveNeighbours<Real>& curve, const Point<Real>& point) const {
-        const Point<Real> chord = curve.p2 - curve.p1;
-        const auto is_near_sheet = [&](std::uint32_t k) {
-            return std::abs(cross<Real>(chord, link_point(star, k) - curve.p1)) <
-                       chord.squaredNorm() / 8 &&
-                   is_interface(complex_, Vertex{star.link[k]});
-        };
-        return is_near_sheet(i == 0 ? star.link_size() - 1 : i - 1) ||
-                       is_near_sheet(i + 1 == star.link_size() ? 0 : i + 1)
-                   ? midpoint<Real>(curve.p1, curve.p2)
-                   : point;
     }
 
     // A new vertex must lie in the submesh that makes it: the next colour looks for it there.
