@@ -9,6 +9,7 @@
 
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 #include "dsc/geometry/triangle.h"
 
 #include "dsc/complex/edit_log.h"

@@ -45,7 +45,8 @@ TEST(CurvatureFlowOptions, PairsAndPhasesAreOfTheDomainAndNamedOnce) {
 
 TEST(CurvatureFlowOptions, KeptAreasArePositive) {
     for (const double bad : {0.0, -1.0, infinity, not_a_number}) {
-        expect_refused({.kept_areas = {{.phase = 1, .area = bad}}}, "not an area");
+        expect_refused({.kept_areas = {{.phase = 1, .area = bad}}},
+                       "the area to be kept is out of range");
     }
     expect_refused({.kept_areas = {{.phase = exterior_phase, .area = 1}}}, "cannot be kept");
     expect_refused({.kept_areas = {{.phase = 1, .area = 1}, {.phase = 1, .area = 2}}},

@@ -108,7 +108,7 @@ class ByPair(unittest.TestCase):
         self.assertLess(np.abs(rates - wanted)[inner].max(), 0.05)
 
     def test_what_balances_at_no_junction_is_told(self):
-        with self.assertWarnsRegex(UserWarning, r"phases 0, 2 and 1 .* tension of \(0, 2\) is 3, more than 1 and 1.5 "):
+        with self.assertWarnsRegex(UserWarning, r"phases 0, 2 and 1 .* tension of \(0, 2\) is 3, more than the sum of 1 and 1.5 "):
             dsc.curvature_flow(tension={(0, 1): 1, (1, 2): 1.5, (0, 2): 3})
         with warnings.catch_warnings():
             warnings.simplefilter("error")

@@ -63,7 +63,7 @@ class ASimulation(unittest.TestCase):
             whole = path.read_bytes()
             for changed, sentence in ((whole[:20], "too short"), (whole[:-1], "incomplete"),
                                       (b"x" + whole[1:], "not a file of kind"),
-                                      (whole[:-9] + b"x" + whole[-8:], "is damaged")):
+                                      (whole[:-9] + b"x" + whole[-8:], "damaged: the checksum")):
                 path.write_bytes(changed)
                 with self.assertRaisesRegex(dsc.FileError, f"run.dsc: {sentence}"):
                     dsc.load(path)
@@ -98,9 +98,9 @@ class AMesh(unittest.TestCase):
         self.assertEqual(other.mesh_hash, mesh.mesh_hash)
         for arguments, sentence in (((mesh.points, mesh.triangles, mesh.phases[1:]), "do not match"),
                                     ((mesh.points, mesh.triangles[:, :2], mesh.phases), "do not match"),
-                                    ((mesh.points, mesh.triangles - 1, mesh.phases), "triangles: not an"),
+                                    ((mesh.points, mesh.triangles - 1, mesh.phases), "triangles: a number out of range"),
                                     ((mesh.points, mesh.triangles + 1, mesh.phases), ""),
-                                    ((mesh.points, mesh.triangles * 1.0, mesh.phases), "triangles: not an"),
+                                    ((mesh.points, mesh.triangles * 1.0, mesh.phases), "triangles: numbers that need not be whole"),
                                     ((mesh.points * np.nan, mesh.triangles, mesh.phases), "finite")):
             with self.assertRaisesRegex(dsc.InputError, sentence):
                 dsc.Mesh(*arguments)
@@ -124,7 +124,7 @@ class AfterAnException(unittest.TestCase):
             for time, dt in ((np.nan, H), (np.inf, H), (7, np.nan), (7, -H)):
                 with self.assertRaisesRegex(dsc.InputError, "not a time step"):
                     sim.step(swirl, time, dt)
-            with self.assertRaisesRegex(dsc.InputError, "in no time"):
+            with self.assertRaisesRegex(dsc.InputError, "dt must be positive"):
                 sim.step(dsc.curvature_flow(), 7, 0)
             self.assertEqual((sim.mesh.mesh_hash, sim.time), state)
             self.assertEqual(sim.report, done)

@@ -102,7 +102,7 @@ class OwnScenesInSpace(CommandLine):
             stream.write(b"\xff\xff")
         done = self.call("run", "--resume", checkpoint)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("is damaged", done.stderr)
+        self.assertIn("damaged: the checksum does not match", done.stderr)
 
     def test_limits_are_judged(self):
         scene = self.write("egg.toml", EGG)

@@ -117,7 +117,7 @@ TYPED_TEST(MeshFunctions, InsertionRefusesWhatIsNoComplex) {
     EXPECT_EQ(phases(complex), (std::vector<Phase>{0, 3}));
     const Vertex last = insert_vertex(complex, Point<TypeParam>(0, -5));
     complex.ids.may_grow = false;
-    refused(Vertex{6}, Vertex{5}, last, 0, "no id");
+    refused(Vertex{6}, Vertex{5}, last, 0, "no free id");
     EXPECT_THROW(insert_vertex(complex, Point<TypeParam>(0, 9)), InputError);
 }
 

@@ -178,13 +178,19 @@ void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOpti
 
 // Turns the velocity at vertex or middle i into the directions of a wall.
 void turn(FluidElement& element, Eigen::Index i, const Point<double>& first) {
-    Eigen::Matrix2d turned; // the directions as columns
-    turned << first, turned_left(first);
-    element.matrix.middleRows<2>(2 * i) =
-        (turned.transpose() * element.matrix.middleRows<2>(2 * i)).eval();
-    element.matrix.middleCols<2>(2 * i) = (element.matrix.middleCols<2>(2 * i) * turned).eval();
-    element.forces.segment<2>(2 * i) =
-        (turned.transpose() * element.forces.segment<2>(2 * i)).eval();
+    // Written out: in Eigen's products multiplications and additions are fused.
+    const auto turn_pair = [&first](double& x, double& y) {
+        const double along = first.x() * x + first.y() * y;
+        y = first.x() * y - first.y() * x;
+        x = along;
+    };
+    for (Eigen::Index k = 0; k < element.matrix.cols(); ++k) {
+        turn_pair(element.matrix(2 * i, k), element.matrix(2 * i + 1, k));
+    }
+    for (Eigen::Index k = 0; k < element.matrix.rows(); ++k) {
+        turn_pair(element.matrix(k, 2 * i), element.matrix(k, 2 * i + 1));
+    }
+    turn_pair(element.forces[2 * i], element.forces[2 * i + 1]);
 }
 
 // What walls fix becomes forces.
@@ -206,7 +212,10 @@ void add_walls(FluidSystem& system, const MeshSnapshot& mesh, const FluidWalls& 
                 }
                 for (const Eigen::Index k : {0, 1}) {
                     if (wall.velocity[k] != 0) {
-                        element.forces -= element.matrix.col(2 * i + k) * wall.velocity[k];
+                        for (Eigen::Index row = 0; row < element.forces.size(); ++row) {
+                            element.forces[row] -=
+                                element.matrix(row, 2 * i + k) * wall.velocity[k];
+                        }
                     }
                 }
             }
