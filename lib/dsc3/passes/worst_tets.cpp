@@ -16,7 +16,7 @@ namespace {
 constexpr int worst_rounds = 2;
 // Lengths are in edge lengths.
 constexpr Real short_interface_edge = 0.6;
-constexpr Real farthest = 0.15;
+constexpr Real longest_move = 0.15;
 constexpr Real deviation = 0.02;
 constexpr Real turn_cos = 0.5;
 // A little more than is needed, so that the next step finds nothing to do.
@@ -55,7 +55,7 @@ bool collapse(PassState& state, const TetRecord& tet) {
 bool move(PassState& state, std::uint32_t t) {
     const TetRecord tet = state.complex.tets[t];
     const Real h = state.options.edge_length;
-    const AlongRules rules{.enough = aim, .farthest = farthest * h, .deviation = deviation * h};
+    const AlongRules rules{.enough = aim, .farthest = longest_move * h, .deviation = deviation * h};
     bool done = false;
     for (const std::uint32_t v : tet.v) {
         done |=
