@@ -17,7 +17,7 @@ constexpr double seam_angle = 0.5;
 /// has opened at its ends. Triangles that lean are thinner than their film, by half at most.
 constexpr double rest_of_film = 2.5;
 /// More than rounding can change in a thickness.
-constexpr double rounding = 1e-3;
+constexpr double thickness_slack = 1e-3;
 
 template <class Real>
 class Films {
@@ -26,7 +26,7 @@ public:
         const Real contact =
             std::min(largest_contact(work.options, work.edge_length),
                      static_cast<Real>(max_contact_of_triangles) * work.edge_length);
-        max_squared_ = static_cast<Real>(1 + rounding) * contact * contact;
+        max_squared_ = static_cast<Real>(1 + thickness_slack) * contact * contact;
     }
 
     void run(std::span<const Candidate> candidates, std::span<const Candidate> notable) {
