@@ -3,9 +3,9 @@
 // edits are noted in the journal of the complex, where the drivers read them like an application's.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/events.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

@@ -8,10 +8,10 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/points.h"
+#include "topology/candidates.h"
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"
-#include "topology/suspicion.h"
 
 #include <algorithm>
 #include <cmath>

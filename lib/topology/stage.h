@@ -5,10 +5,10 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/algorithm/stage.h"
 #include "dsc/passes/algorithm.h"
+#include "topology/candidates.h"
 #include "topology/events.h"
 #include "topology/notes.h"
 #include "topology/options.h"
-#include "topology/suspicion.h"
 
 #include <utility>
 #include <vector>

@@ -4,6 +4,7 @@
 // stays.
 #include "dsc/dsc.h"
 #include "geometric_flows/geometric_flows.h"
+#include "shapes/shapes.h"
 #include "shapes/voronoi.h"
 #include "shapes/voronoi_diagram.h"
 #include "topology/topology.h"
@@ -12,20 +13,13 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace dsc::domains_test {
 namespace {
 
-using std::numbers::pi;
 using Points = std::vector<Point<double>>;
 
-Points circle(double radius, int n) {
-    Points points;
-    for (int i = 0; i < n; ++i) {
-        points.emplace_back(radius * std::cos(2 * pi * i / n), radius * std::sin(2 * pi * i / n));
-    }
-    return points;
+scenes::Outline circle(double radius, double edge_length) {
+    return scenes::circle({0, 0}, radius, edge_length);
 }
 
 struct Case {
@@ -35,10 +29,11 @@ struct Case {
     double min_angle; // degrees, at the end of every step
 };
 
+constexpr double h = 0.03;
+
 class Grains : public testing::TestWithParam<Case> {};
 
 TEST_P(Grains, Coarsen) {
-    constexpr double h = 0.03;
     const Rectangle around{{-1.3, -1.3}, {2.3, 2.3}};
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(seed);
@@ -75,7 +70,7 @@ TEST_P(Grains, Coarsen) {
 
 INSTANTIATE_TEST_SUITE_P(
     InDomains, Grains,
-    testing::Values(Case{"ring", {circle(1, 210), {circle(0.4, 84)}}, 5e-3, 5},
+    testing::Values(Case{"ring", {circle(1, h), {circle(0.4, h)}}, 5e-3, 5},
                     Case{"l", {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 1e-12, 3},
                     Case{"turned", {{{0, 0}, {1.9, 0.6}, {1.6, 1.55}, {-0.3, 0.95}}}, 1e-12, 0}),
     [](const auto& each) { return each.param.name; });

@@ -108,7 +108,7 @@ TEST_P(GradedMesh, CoarsensWhatTheInterfaceLeavesBehind) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GradedMesh, testing::ValuesIn(all_courses), course_name);
 
-// What changes where nothing moves is handed to those who own it.
+// Targets may change far from the interface: the submeshes there remesh, although nothing moves.
 TEST_P(GradedMesh, FollowsTheTimeFarFromTheInterface) {
     Complex<double> complex = small_disc();
     Options<double> options = graded(1.5);

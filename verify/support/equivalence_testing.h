@@ -147,9 +147,9 @@ public:
     }
 
 private:
-    // Differences that are allowed because the reference does not know the domain boundary outside
-    // its submesh, or an edge outside onto which a collapse would fall (it finds that the triangles
-    // between would be inverted), and because gains below rounding are undecided.
+    // Allowed differences. The reference does not know the mesh outside its submesh: neither the
+    // domain boundary there, nor an edge onto which a collapse would fall, which it refuses because
+    // triangles would be inverted. And gains below rounding may be seen or not.
     bool excused(const std::string& operation, Verdict verdict, Verdict expected,
                  const std::vector<Vertex>& vertices, const reference::Complex& after) const {
         const auto is_pair = [&](Verdict a, Verdict b) {

@@ -146,7 +146,7 @@ TEST(WideContactOf, AThinBarVanishesAtOnce) {
     EXPECT_EQ(pieces(complex, 1), 0);
 }
 
-// Wider than a phase: refused with all that is needed to correct it.
+// A contact distance wider than a phase is refused, and the error says how to correct it.
 TEST(WideContactOf, MoreThanAPhaseIsRefused) {
     auto complex = discs_apart(0.1, h);
     EXPECT_NO_THROW(

@@ -100,8 +100,8 @@ template <class Real>
 }
 
 /// Where a vertex of the domain boundary goes that wants to go to `target`: along a straight side;
-/// nowhere from a feature. Along a curved side only ends of curves go: they have to, and each move
-/// costs a little of the shape. O(1).
+/// nowhere from a feature. Along a curved side only ends of curves slide: other vertices need
+/// not move, and each move changes the shape of the domain a little. O(1).
 template <class Real>
 [[nodiscard]] Point<Real> slid_on_side(const Point<Real>& from, const Point<Real>& at,
                                        const Point<Real>& to, const Point<Real>& target,

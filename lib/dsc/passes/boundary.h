@@ -57,9 +57,10 @@ Real merged_on_boundary(const Star<Real>& star) {
     return dx * dx + dy * dy;
 }
 
-/// Whether the centre, inside one phase on the domain boundary, may be collapsed because of a short
-/// edge there, or, if `is_poor`, for another reason. Where a side is curved, an edge that is only
-/// short stays: to collapse it costs a little of the shape.
+/// Whether the centre, a vertex of the domain boundary inside one phase, should be collapsed:
+/// because a boundary edge there is short, or because its star is poor. On a curved side a short
+/// edge is no reason unless it blocks what slides there: each collapse changes the shape of the
+/// domain a little.
 template <class Real>
 bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
                                  bool is_poor = false) {

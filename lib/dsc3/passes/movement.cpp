@@ -37,7 +37,7 @@ private:
         moving_[v].stamp = state_.pass;
         moving_[v].origin = complex_.at(v);
         moving_[v].fraction = 1;
-        state_.movers.push_back(v);
+        state_.moving_vertices.push_back(v);
     }
     void enter_tet(std::uint32_t t) {
         if (state_.tet_stamps[t] != state_.pass) {
@@ -53,7 +53,7 @@ private:
             state_.tet_stamps.assign(state_.tet_stamps.size(), 0);
             state_.pass = 1;
         }
-        state_.movers.clear();
+        state_.moving_vertices.clear();
         state_.near.clear();
         for (const std::uint32_t v : state_.pending) {
             enter(v);
@@ -119,11 +119,11 @@ private:
     }
 
     void go() {
-        for (const std::uint32_t v : state_.movers) {
-            MovingVertex& mover = moving_[v];
-            mover.changed = 0;
-            mover.wanted = 0;
-            complex_.vertices[v].position = mover.origin + mover.way;
+        for (const std::uint32_t v : state_.moving_vertices) {
+            MovingVertex& one = moving_[v];
+            one.changed = 0;
+            one.wanted = 0;
+            complex_.vertices[v].position = one.origin + one.way;
             complex_.vertices[v].flags &= ~static_cast<std::uint32_t>(vertex_settled);
         }
         for (const std::uint32_t v : state_.pending) { // without rounding
@@ -149,9 +149,9 @@ private:
                     continue;
                 }
                 for (const std::uint32_t v : tet.v) {
-                    MovingVertex& mover = moving_[v];
-                    if (moves(v) && mover.fraction > 0 && mover.wanted != round + 1) {
-                        mover.wanted = round + 1;
+                    MovingVertex& one = moving_[v];
+                    if (moves(v) && one.fraction > 0 && one.wanted != round + 1) {
+                        one.wanted = round + 1;
                         blocked.push_back(v);
                     }
                 }
@@ -160,12 +160,12 @@ private:
                 return;
             }
             for (const std::uint32_t v : blocked) {
-                MovingVertex& mover = moving_[v];
-                mover.fraction = round < halvings ? mover.fraction / 2 : 0;
-                mover.changed = round + 1;
+                MovingVertex& one = moving_[v];
+                one.fraction = round < halvings ? one.fraction / 2 : 0;
+                one.changed = round + 1;
                 complex_.vertices[v].position =
-                    mover.fraction == 0 ? mover.origin
-                                        : Point(mover.origin + Real(mover.fraction) * mover.way);
+                    one.fraction == 0 ? one.origin
+                                      : Point(one.origin + Real(one.fraction) * one.way);
             }
         }
     }

@@ -51,7 +51,7 @@ struct PassState {
     // Scratch of movement.
     std::vector<MovingVertex> moving = {};      ///< by vertex
     std::vector<std::uint32_t> tet_stamps = {}; ///< by tet
-    std::vector<std::uint32_t> movers = {};
+    std::vector<std::uint32_t> moving_vertices = {};
     std::vector<std::uint32_t> near = {}; ///< tets with a vertex that moves
     std::vector<Real> near_quality = {};
     std::vector<std::uint32_t> listed = {};

@@ -5,8 +5,8 @@
 // on the domain boundary at both sides. The wedge at the end of a curve is left to landing.h.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

@@ -2,8 +2,8 @@
 // Where a film may open: two triangles side by side, one at each of its sheets.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

@@ -3,8 +3,8 @@
 // they make up. For contact distances of several edge lengths; see wide_films.h.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/films/film_ray.h"
-#include "topology/suspicion.h"
 
 #include <span>
 #include <vector>

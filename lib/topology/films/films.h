@@ -20,8 +20,8 @@
 // seam does.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

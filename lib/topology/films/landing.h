@@ -5,8 +5,8 @@
 // each lands there, and the end of the curve moves on.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

@@ -3,8 +3,8 @@
 // smaller than the least area vanishes into the phase with which it shares the longest outline.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

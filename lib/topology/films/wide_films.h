@@ -8,9 +8,9 @@
 // a round end, a convex corner and a sharp tip are thin as well, but their sheets meet close by.
 // A long tip becomes thinner all the way to its point, a film does not.
 //
-// Later the seam goes on over what has become thin beside it. Where it ends the interface crosses
-// the film, straight but for the mesh: the error of the area is of the order of an edge length
-// times the contact distance.
+// In later sub-steps the seam grows into the parts of the film beside it that have become thin. At
+// its end the interface crosses the film, straight but for the mesh: the error of the area is of
+// the order of an edge length times the contact distance.
 //
 // Sheets that meet at more than 70 degrees do not face each other: a wide notch stays as it is.
 //
@@ -18,8 +18,8 @@
 // sharply than the film is thick, as two small drops do, count as squeezed a little later.
 #pragma once
 
+#include "topology/candidates.h"
 #include "topology/region.h"
-#include "topology/suspicion.h"
 
 #include <span>
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// A step of a simulation: how it is cut into sub-steps, and what happens in each of them.
+#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/simulation.h"
+#include "dsc/algorithm/stage.h"
+#include "dsc/base/error.h"
+#include "dsc/passes/interface/list.h"
+#include "dsc/passes/readers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dsc {
+
+template <class Real>
+StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
+    const Real end = time + dt;
+    if (!std::isfinite(dt) || dt < 0 || !std::isfinite(end)) {
+        throw InputError({.what = "not a time step",
+                          .where = "Simulation::step",
+                          .value = "time " + to_text(time) + ", dt " + to_text(dt),
+                          .allowed = "a finite time and a step of 0 or more"});
+    }
+    if (dt == 0 && flow.motion() != nullptr) {
+        throw InputError({.what = "dt must be positive for an InterfaceMotion",
+                          .where = "Simulation::step",
+                          .value = "0",
+                          .allowed = "a step of more than 0: displacements are divided by it"});
+    }
+    if (!options_.advected_phases.empty() && flow.velocity() == nullptr) {
+        throw InputError({.what = "this flow is not defined inside a phase",
+                          .where = "Simulation::step",
+                          .value = "advected_phases with an InterfaceFlow or InterfaceMotion",
+                          .allowed = "a Velocity, or no advected_phases"});
+    }
+    expect_between_steps("Simulation::step");
+    struct InStep {
+        explicit InStep(bool& is_in_step_in) : is_in_step(is_in_step_in) { is_in_step = true; }
+        ~InStep() { is_in_step = false; }
+        bool& is_in_step;
+    };
+    const InStep in_step(is_in_step_);
+    StepReport report;
+    absorb(By::application, time);
+    complex_.journal.counts = {}; // of the application
+    if (options_.sizes.changes_in_time) {
+        measure(time);
+    }
+    if (!options_.sizes.is_uniform()) {
+        sweep();
+    }
+    executor_->begin_step();
+    short_ = 0;
+    Real remaining = dt;
+    try {
+        while (remaining > 0 && sub_step(flow, time, end, remaining, report)) {
+            tell_what_was_done();
+            if (remaining > 0 && interrupted_ != nullptr && interrupted_->load()) {
+                report.gave_up = GiveUp::interrupted;
+                break;
+            }
+        }
+    } catch (...) {
+        // A function of the application threw: the complex is valid, but has not arrived yet.
+        executor_->end_step();
+        (void)executor_->take_counts();
+        tell_what_was_done(); // before what the application does next
+        throw;
+    }
+    executor_->end_step();
+    tell_what_was_done(); // a sub-step that gave up has remeshed
+    report.operations = executor_->take_counts();
+    report.operations += std::exchange(complex_.journal.counts, {}); // of stages
+    report.reached = static_cast<double>(time);
+    if (options_.advected_phases.empty()) {
+        report.interface_vertices = static_cast<std::uint32_t>(executor_->interface_size());
+    } else { // as `interface_size`, without allocating
+        to_sweep_.clear();
+        executor_->append_interface(to_sweep_);
+        report.interface_vertices = static_cast<std::uint32_t>(std::ranges::count_if(
+            to_sweep_, [&](std::uint32_t v) { return is_on_interface(complex_, v); }));
+    }
+    return report;
+}
+
+// Divides the rest of a step into equal parts, as the speed requires...
+template <class Real>
+Real Simulation<Real>::pieces_of_speed(Real remaining, Real fastest) const {
+    const Real farthest = static_cast<Real>(options_.sub_step) * options_.edge_length;
+    return std::ceil(remaining * fastest / farthest);
+}
+
+// ...and as the tolerance allows.
+template <class Real>
+Real Simulation<Real>::pieces_of(Real remaining, Real fastest) const {
+    return std::max(pieces_of_speed(remaining, fastest), std::ceil(remaining / max_dt_));
+}
+
+std::string sentence(const StepReport& report) {
+    const auto at = [](const auto& value) { return to_text(value); };
+    const std::string vertex = "vertex " + at(report.where.id);
+    switch (report.gave_up) {
+    case GiveUp::none: break;
+    case GiveUp::too_many_sub_steps:
+        return "the step needs more than max_sub_steps sub-steps: " + vertex +
+               " moves at a speed of " + at(report.speed);
+    case GiveUp::too_many_passes:
+        return at(report.unreached) +
+               " vertices were still on their way after max_passes passes of a "
+               "sub-step; make sub_step smaller";
+    case GiveUp::velocity_jumps:
+        return "the velocity jumps at " + vertex +
+               ", so that no sub-step meets the tolerance; use another integrator";
+    case GiveUp::interrupted: return "the step was interrupted";
+    }
+    return {};
+}
+
+template <class Real>
+bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
+                                StepReport& report) {
+    const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
+    // dt from the speed of the last sub-step, which is nearly always right: one call then finds
+    // velocities and targets, and submeshes need not wait for each other in between.
+    Real dt = dt_of(pieces_of(remaining, fastest_));
+    TargetReport<Real> targets = executor_->compute_targets(flow, time, dt);
+    complex_.attributes.failure.rethrow();
+    fastest_ = targets.fastest;
+    report.held += targets.held;
+    report.unreached += targets.held;
+    const auto give_up = [&](GiveUp reason, Vertex where) {
+        report.gave_up = reason;
+        report.unreached += targets.vertices;
+        report.where = where;
+        report.speed = static_cast<double>(targets.fastest);
+    };
+    const Real pieces = pieces_of(remaining, targets.fastest);
+    // The sub-step that the tolerance requires may change within the step.
+    const Real sure = std::max(pieces_of_speed(remaining, targets.fastest), Real(1));
+    if (!(sure + static_cast<Real>(report.sub_steps) <=
+          static_cast<Real>(options_.max_sub_steps))) {
+        give_up(GiveUp::too_many_sub_steps, targets.where);
+        return false;
+    }
+    if (dt_of(pieces) != dt) {
+        dt = dt_of(pieces);
+        targets.reach = executor_->recompute_targets(flow, time, dt);
+    }
+    dt = shorten(flow, time, dt, targets.reach);
+    if (is_at_a_jump(flow, time, dt, targets)) {
+        give_up(GiveUp::velocity_jumps, targets.reach.where);
+        return false;
+    }
+    report.error = std::max(report.error, static_cast<double>(targets.reach.error));
+
+    const MoveReport moved = executor_->move();
+    complex_.attributes.failure.rethrow();
+    report.held += moved.held;
+    report.unreached += moved.unreached;
+    report.passes += moved.passes;
+    ++report.sub_steps;
+    remaining = dt < remaining ? remaining - dt : Real(0);
+    time = remaining > 0 ? time + dt : end; // without the rounding of the sum
+    std::uint64_t left = moved.unreached - moved.held;
+    if (!stages_.empty()) {
+        const std::uint64_t freed = run_stages(time, dt, targets.held + moved.unreached, left > 0);
+        report.unreached -= freed;
+        left -= std::min(left, freed);
+    }
+    if (left > 0 && moved.passes >= static_cast<std::uint32_t>(options_.max_passes)) {
+        report.gave_up = GiveUp::too_many_passes; // unreached vertices have been counted
+        return false;
+    }
+    return true;
+}
+
+// The speed may rise within the step, and the error may be too large: then the sub-step is made
+// shorter, a bounded number of times. Errors that do not decrease come from a flow that is not
+// differentiable; they are reported.
+template <class Real>
+Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach<Real>& reach) {
+    constexpr int max_halvings = 6;
+    constexpr int max_trials = 12;
+    constexpr Real tolerated = 2;
+    const Real farthest = tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
+    const Real tolerance = static_cast<Real>(options_.tolerance) * options_.edge_length;
+    // The estimate falls with the fourth power of dt.
+    const auto factor = [&](Real most) {
+        return std::clamp(Real(0.9) * std::sqrt(std::sqrt(tolerance / reach.error)), Real(0.1),
+                          most);
+    };
+    for (int trial = 0; trial < max_trials && reach.error > tolerance; ++trial) {
+        dt *= factor(Real(0.9));
+        reach = executor_->recompute_targets(flow, time, dt);
+    }
+    for (int halving = 0; reach.farthest > farthest && halving < max_halvings; ++halving) {
+        dt *= Real(0.5);
+        reach = executor_->recompute_targets(flow, time, dt);
+    }
+    max_dt_ = reach.error > 0 ? dt * factor(Real(4)) : std::numeric_limits<Real>::infinity();
+    return dt;
+}
+
+// Where the velocity jumps, the estimate falls in proportion to dt, not with a higher power of it:
+// vertices that cross the jump would move by a few tolerances per sub-step. Since a flow may be
+// rough for a moment only, the step goes on for a while.
+template <class Real>
+bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
+                                    const TargetReport<Real>& targets) {
+    constexpr Real share = Real(1) / 64; // of the way that the speed allows
+    constexpr std::uint32_t patience = 64;
+    constexpr Real of_jump = Real(0.35); // estimate of half the time: 1/2 at a jump, else up to 1/4
+    const Real length = options_.edge_length;
+    const bool is_short =
+        targets.reach.error > static_cast<Real>(options_.tolerance) * length / 16 &&
+        dt * targets.fastest < share * static_cast<Real>(options_.sub_step) * length;
+    if (!is_short || ++short_ % patience != 0) {
+        return false;
+    }
+    const Real of_half = executor_->recompute_targets(flow, time, dt / 2).error;
+    (void)executor_->recompute_targets(flow, time, dt);
+    return of_half > of_jump * targets.reach.error;
+}
+
+// After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
+// try again. Returns how many of these have now arrived, or need not move any more.
+template <class Real>
+std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unreached,
+                                           bool has_missed) {
+    bool has_edited = false;
+    gone_.clear();
+    tell_what_was_done(); // edits of the sub-step come first
+    for (const auto& stage : stages_) {
+        to_stages_.clear();
+        executor_->append_interface(to_stages_);
+        stage->run({.complex = complex_,
+                    .interface = to_stages_,
+                    .edge_length = options_.edge_length,
+                    .time = time,
+                    .dt = dt,
+                    .unreached = unreached,
+                    .in_shares = executor_->in_shares()});
+        const std::span<const Edit> edits(complex_.journal.records);
+        if (absorbed_ < edits.size()) {
+            has_edited = true;
+            const auto gone = taken_off(complex_, edits.subspan(absorbed_));
+            gone_.insert(gone_.end(), gone.begin(), gone.end());
+            absorb(By::stage, time);
+        }
+        stage->tell();
+        complex_.attributes.failure.rethrow();
+    }
+    if (!has_edited || !has_missed) {
+        return 0;
+    }
+    std::ranges::sort(gone_);
+    const std::uint64_t arrived = executor_->move_missed(gone_);
+    complex_.attributes.failure.rethrow();
+    return arrived;
+}
+
+template StepReport Simulation<double>::step_along(const Flow<double>&, double, double);
+template StepReport Simulation<float>::step_along(const Flow<float>&, float, float);
+
+} // namespace dsc
