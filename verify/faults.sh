@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Do the tests notice what is wrong? Builds a copy of the project that holds all seeded faults of
-# verify/faults/table, each with a switch, and runs the tests on each of them until one catches it. The
-# options are those of faults.py, which --help shows. The build takes a quarter of an hour of CPU time, all
-# faults another half, and 1,000 mutants some hours; the results are in build/faults/faults.json and
-# mutants.json. Installs missing Debian packages as root or through sudo. Exit code: 0 all were caught (of
-# mutants nine in ten), 1 some were not, 2 nothing was run.
+# Mutation testing: builds a copy of the project that contains all seeded faults of verify/faults/table, each
+# with a switch, and runs the tests on each fault until one catches it. The options are those of faults.py,
+# which --help shows. The build takes a quarter of an hour of CPU time, all faults another half, and 1,000
+# mutants some hours; the results are in build/faults/faults.json and mutants.json. Installs missing Debian
+# packages as root or through sudo. Exit code: 0 all were caught (of the mutants nine in ten), 1 some were
+# not, 2 nothing was run.
 set -euo pipefail
 
 if [[ ${1-} == -h || ${1-} == --help ]]; then

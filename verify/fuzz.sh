@@ -64,8 +64,8 @@ search_in() { # search_in TARGET: fails if something was found
     local folder=$build/search/$1 corpora before findings inputs
     local log=$folder/log.txt
     mkdir -p "$folder/inputs" "$folder/findings"
-    # No input may take ten seconds or a gigabyte: that is a finding too. These are seconds of the clock;
-    # on a busy machine, a later -timeout=60 counts.
+    # An input that takes ten seconds or a gigabyte is a finding too. The seconds are wall-clock time; on a busy
+    # machine, add -timeout=60, which overrides it.
     local options=(--target="$1" -max_total_time="$seconds" -timeout=10 -report_slow_units=1000
         -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1
         -artifact_prefix="$folder/findings/" "${fuzzer_options[@]}")

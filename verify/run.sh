@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Sets up, builds, and tests everything: what is run optimised, the gate, the tests under the address,
-# undefined behaviour and thread sanitizers, and a search by libFuzzer in the two targets whose turn it is.
-# Quick unit tests run under the former two sanitizers alone, unless these are left out; see the labels in
+# Sets up, builds, and tests everything: optimised tests, the gate, tests under the address, undefined
+# behaviour and thread sanitizers, and a search by libFuzzer in two targets, chosen by turns. Quick unit tests
+# run under the former two sanitizers alone, unless these are left out; see the labels in
 # verify/CMakeLists.txt.
 set -euo pipefail
 
@@ -70,14 +70,14 @@ run_tests() { # run_tests PRESET [COMMAND PREFIX...]
         failed+=("tests of preset $test_preset")
 }
 
-# Short ones, of all that a step consists of.
+# Short scenes that use every part of a step.
 quick_tests=(test_base test_geometry test_complex test_operations test_quality test_motion
     test_passes test_algorithm test_thesis)
-# What holds for the sequential run of every scene.
+# Checks of the sequential run of every scene.
 quick_checks=(area_ratio symmetric_difference symmetric_difference_half inverted unreached
     min_quality)
 
-# What has become worse than its limit says by more than a tenth fails as well.
+# A figure also fails if it is worse than its stored measurement by more than a tenth.
 run_gate() { # run_gate [CHECK...]: all, unless some are named
     say "gate"
     build/release/verify/dsc_verify run "$@" --drift 0.1 --jobs "$jobs" \
@@ -140,13 +140,13 @@ if $with_release; then
 fi
 
 if $with_sanitizers; then
-    # A selection of tests may well leave a sanitizer none.
+    # A selection of tests may contain none for a sanitizer.
     if [[ ${#ctest_options[@]} -gt 0 ]]; then
         ctest_options+=(--no-tests=ignore)
     fi
     if run_sanitizer asan && $with_search; then
         say "search by libFuzzer"
-        # Other work may share the cores: no input takes a second where there is none.
+        # The limit allows for other programs on the cores; on an idle machine no input takes a second.
         verify/fuzz.sh --turn "$commit" 30 -timeout=60 </dev/null || failed+=("search by libFuzzer")
     fi
     # Kernels that randomise addresses widely leave clang 14's thread sanitizer no room.

@@ -25,7 +25,7 @@ say() {
     printf '== %s [%d:%02d]\n' "$*" $((SECONDS / 60)) $((SECONDS % 60))
 }
 
-# Exit code 2: nothing was run, because of what the message says.
+# Prints the reason why nothing was run, and exits with code 2.
 give_up() {
     printf '%s: %s\n' "$0" "$*" >&2
     exit 2
@@ -68,7 +68,7 @@ Install them with: sudo apt-get install --no-install-recommends ${missing[*]}"
     say "installing ${missing[*]}"
     local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q
         -o DPkg::Lock::Timeout=300)
-    # A mirror that does not answer matters only if the packages cannot be had after all.
+    # A failed update matters only if the packages cannot be installed.
     quietly "${apt[@]}" update || say "apt-get update failed: using the existing package lists"
     quietly "${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
         give_up "apt-get could not install ${missing[*]}"

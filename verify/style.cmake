@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Whether all sources are as clang-format leaves them, by the style of the project's .clang-format; but for
+# Checks that clang-format, with the project's .clang-format, would not change any source, except
 # the programs in verify/install, which have the width of the pages that show them.
 #
 #   cmake -D clang_format=PROGRAM -D source=FOLDER -P style.cmake

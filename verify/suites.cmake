@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Registers the suites of one GoogleTest program. CTest reads this when it starts, not the build when
 # it ends: the sanitizers' environment comes from the test preset. Set before: `name`, `program`,
-# `results`, `labels`, `timeout`, and `each_case`, which names the suites whose cases take long and are
-# run each by itself, and first; of all others one process runs the whole suite. Nothing is compared
-# with a clock, so that tests of threads may share the cores.
+# `results`, `labels`, `timeout`, and `each_case`, which names the suites whose cases take long:
+# each of these cases runs by itself, and first. All other suites run in one process each. No test
+# compares times, so tests of threads may share the cores.
 
 cmake_minimum_required(VERSION 3.25)
 
-# What a preset selects by label but did not build has to fail, not to vanish.
+# A test that a preset selects by label but did not build must fail, not vanish.
 if(NOT EXISTS ${program})
     add_test(${name}_NOT_BUILT ${program})
     set_tests_properties(${name}_NOT_BUILT PROPERTIES LABELS "${labels}")

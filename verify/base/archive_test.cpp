@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State as bytes: everything reads back as it was, and nothing that cannot be true is believed.
+// State as bytes: everything reads back unchanged, and impossible values are refused.
 #include "dsc/base/archive.h"
 #include "scenes/run/standard_archive.h"
 
@@ -110,7 +110,7 @@ TEST(Archives, RefuseWhatCannotBe) {
     EXPECT_EQ(refusal_of(std::uint64_t{1} << 60U, std::string{}), "here: unexpected end of data");
     EXPECT_EQ(refusal_of(std::uint32_t{2}, std::variant<double, std::string>{}),
               "here: number outside its enum");
-    // A ball in a ball in a ball...
+    // Nested archives.
     Ball ball;
     for (int depth = 0; depth < 100; ++depth) {
         ball = Ball{.inside = {ball}};

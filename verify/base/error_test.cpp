@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors keep their fields apart, and say all of them in one sentence.
+// Errors store their fields separately, and their message has all of them in one sentence.
 #include "dsc/base/error.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Every pair of values of all features stands in two rows, and what is known of the row's parts
-// holds of the whole: exact shapes, what is conserved, other numbers of threads, other units,
-// resumed and replayed runs, runs without an interruption. The long program has triples, and pairs
-// in finer meshes. A row that fails belongs into found.txt, with no more features than it needs for
-// that.
+// Every pair of feature values occurs in two rows. Each row's run is compared with what follows
+// from its features: exact shapes, conserved quantities, and equal results with other numbers of
+// threads, in other units, resumed, replayed, and without an interruption. The long program has all
+// triples, and all pairs in finer meshes. A row that fails belongs in found.txt, reduced to the
+// features that the failure needs.
 #include "combinations/rows.h"
 #include "combinations/trial.h"
 
@@ -20,7 +20,7 @@
 namespace dsc::combinations::combinations_test {
 namespace {
 
-// Features are made plain one by one while the row still fails.
+// Resets features to their defaults, one by one, while the row still fails.
 Values cut_down(Values values, double fineness) {
     for (bool is_smaller = true; is_smaller;) {
         is_smaller = false;
@@ -45,7 +45,7 @@ void expect_parts(std::span<const Values> rows, double fineness = 1) {
             continue;
         }
         const std::string words = words_of(values);
-        std::cout << words << std::endl; // the last one hangs, or has crashed
+        std::cout << words << std::endl; // if a row hangs or crashes, it is the last one printed
         for (const std::string& problem : problems_of(row_of(values), fineness)) {
             ADD_FAILURE() << words << ": " << problem;
             if (std::exchange(is_first, false)) {
@@ -70,7 +70,7 @@ TEST(Combinations, OfTwoInOtherRowsDoSoToo) { expect_parts(cover_features(2, 2).
 TEST(Combinations, ThatFailedOnceHold) { expect_parts(found_rows()); }
 #endif
 
-// Pairs of features are left out only where it is said why.
+// Every pair of values occurs, unless `nonsense_in` gives the reason why it cannot.
 TEST(Rows, HoldAllPairsOfValuesThatMakeSense) {
     const Cover cover = cover_features(2);
     EXPECT_EQ(cover.combinations, 2287U);

@@ -20,7 +20,7 @@ namespace dsc::combinations {
 enum class Place : std::uint8_t {
     square,      ///< a disc inside the unit square
     pair,        ///< two discs side by side, which meet if they grow
-    by_boundary, ///< a disc beside the domain boundary, which it meets if it grows or moves towards
+    by_boundary, ///< a disc beside the domain boundary, which it meets if it grows or moves down
                  ///< it
     slender,     ///< a disc inside a rectangle of 100:1
     on_boundary, ///< half a disc on the domain boundary
@@ -30,7 +30,7 @@ enum class Place : std::uint8_t {
 
 enum class Phases : std::uint8_t {
     one,       ///< a shape of phase 1
-    nested,    ///< and one of phase 2 inside it
+    nested,    ///< phase 1, with phase 2 inside it
     junctions, ///< phases 1 and 2 side by side, so that three phases meet; one each for a pair
 };
 
@@ -65,7 +65,7 @@ enum class Sizes : std::uint8_t {
 enum class Rule : std::uint8_t {
     keep,
     change,
-    forbidden,  ///< it may change, but the application's predicate forbids it
+    forbidden,  ///< changes are allowed by the options, but refused by the application's predicate
     given_back, ///< with the areas given back
     wide,       ///< a contact distance of more than an edge
     min_area,   ///< pieces of several edge lengths squared vanish

@@ -73,7 +73,8 @@ struct Setting {
 };
 using Combination = std::vector<Setting>;
 
-// All combinations of so many features from `feature` on, each with `chosen` before it.
+// Adds to `all` the combinations of `strength` settings that begin with `chosen` and go on with
+// features from `feature` on.
 void add_combinations(const Combination& chosen, std::size_t feature, std::size_t strength,
                       std::vector<Combination>& all) {
     if (chosen.size() == strength) {
@@ -94,12 +95,12 @@ bool stands_in(const Combination& combination, const Values& row) {
                                [&](const Setting& one) { return row[one.feature] == one.value; });
 }
 
-// Of some random rows with this combination that make sense, the one with the most combinations
-// that are still open. None: no row with it makes sense.
+// Draws random meaningful rows with this combination, and returns the one with the most open
+// combinations; none if no meaningful row was found.
 std::optional<Values> draw_row(const Combination& combination, std::span<const Combination> open,
                                test::Dice& dice) {
     constexpr int candidates = 30;
-    constexpr int draws = 20'000; // one in some thousand makes sense, of any combination that does
+    constexpr int draws = 20'000; // at worst, one in a few thousand is meaningful
     std::optional<Values> best;
     std::ptrdiff_t most = 0;
     for (int draw = 0, found = 0; draw < draws && found < candidates; ++draw) {

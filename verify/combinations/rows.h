@@ -24,7 +24,7 @@ struct Cover {
 };
 
 /// Rows with every meaningful combination of `strength` values. The same seed gives the same rows
-/// on every machine. O(rows * combinations) with a factor of some ten.
+/// on every machine. O(rows * combinations), with a factor of a few tens.
 [[nodiscard]] Cover cover_features(std::size_t strength, std::uint64_t seed = 1);
 
 /// The rows of found.txt: they failed before, and are reduced to the features that the failure

@@ -49,7 +49,7 @@ public:
 
     Outcome run() {
         begin();
-        // What create and merge did is in no log.
+        // Create and merge does not log its edits.
         const bool is_replayed = manner_.threads == 1 && row_.way != Way::copy;
         std::vector<Edit> edits;
         if (is_replayed) {
@@ -126,7 +126,7 @@ private:
                 scene_.velocity(positions[i].template cast<double>(), static_cast<double>(time))
                     .template cast<Real>();
         }
-        // By Euler's method velocities are asked for at the beginning of sub-steps alone.
+        // Euler's method evaluates velocities only at the beginning of sub-steps.
         if (manner_.threads == 1 && (outcome_.asked.empty() || time > outcome_.asked.back())) {
             outcome_.asked.push_back(static_cast<double>(time));
         }

@@ -40,9 +40,10 @@ Shape shape_at(Place place) {
 
 constexpr double height = 0.4;   ///< of the layer
 constexpr double aside = 0.17;   ///< of each of a pair
-constexpr double spacing = 0.27; ///< of the vertices of arcs, at most, in edge lengths
+constexpr double spacing = 0.27; ///< of vertices on arcs, at most, in edge lengths
 
-// An arc of the shape, from one angle to another. Corners lie on it 60 degrees apart, or 45.
+// An arc of the shape, from one angle to another; with Outline::corners, its corners are at most 60
+// degrees apart, or 45 on short arcs.
 std::vector<P> arc(const Shape& shape, double radius, double from, double to, Outline outline) {
     const double most = to - from < 0.55 * pi ? pi / 4 : pi / 3;
     const int n = outline == Outline::round
@@ -51,7 +52,7 @@ std::vector<P> arc(const Shape& shape, double radius, double from, double to, Ou
     std::vector<P> points;
     for (int i = 0; i <= n; ++i) {
         const double angle = from + (to - from) * i / n;
-        // Exactly on the sides of the domain.
+        // Points that are on a side up to rounding are moved exactly onto it.
         const auto exactly = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
         points.emplace_back(shape.centre +
                             radius * P(exactly(std::cos(angle)), exactly(std::sin(angle))));
@@ -84,7 +85,7 @@ std::vector<Curve> arcs_of(const Row& row, const Shape& shape) {
         }
         return curves;
     }
-    // Cut by a chord through the middle: phase 2 on its right.
+    // Cuts the shape by a chord through its centre, with phase 2 on the right of the chord.
     const bool is_closed = shape.to - shape.from == 2 * pi;
     const double cut = is_closed ? pi / 2 : (shape.from + shape.to) / 2;
     std::vector<P> before = piece(shape.radius, is_closed ? -pi / 2 : shape.from, cut);
@@ -121,7 +122,7 @@ std::vector<Curve> curves_of(const Row& row, const Shape& shape) {
 
 // --- the motion ----------------------------------------------------------------------------------
 
-// What lies on the domain boundary stays on it, and nothing leaves the domain.
+// Points on the domain boundary stay on it, and no point leaves the domain.
 P kept_inside(const P& start, const P& end, const P& size) {
     P kept = end.cwiseMax(P(0, 0)).cwiseMin(size);
     for (int k = 0; k < 2; ++k) {
@@ -132,7 +133,7 @@ P kept_inside(const P& start, const P& end, const P& size) {
     return kept;
 }
 
-// A circle of this radius meets a line at this distance from its centre.
+// The contact of a circle of this radius with a line at this distance from its centre.
 void meet(Scene& scene, double radius, double distance) {
     scene.meets = true;
     scene.seam = 2 * std::sqrt(radius * radius - distance * distance);
@@ -140,7 +141,8 @@ void meet(Scene& scene, double radius, double distance) {
 }
 
 void translate(Scene& scene, const Row& row, const Shape& shape) {
-    // Not as far as to the domain boundary: nothing meets there by the widest contact distance.
+    // The way is so short that even with the widest contact distance no film opens at the domain
+    // boundary.
     const bool is_slender = row.place == Place::slender;
     const P way = row.motion == Motion::right  ? P(is_slender ? 0.3 : 0.12, 0)
                   : row.motion == Motion::down ? P(0, is_slender ? -0.03 : -0.15)
@@ -172,7 +174,7 @@ void turn(Scene& scene) {
     scene.exact = [](const P& p) { return P(p.y(), 1 - p.x()); }; // a quarter of a turn clockwise
 }
 
-// By the stream function s sin(pi x) sin(pi y): along the sides of the domain there is slip.
+// The stream function is s sin(pi x) sin(pi y), so there is slip along the sides of the domain.
 void swirl(Scene& scene, const Row& row) {
     constexpr double strength = 0.1;
     scene.velocity = [](const P& p, double t) {
@@ -181,17 +183,17 @@ void swirl(Scene& scene, const Row& row) {
                  -at * std::cos(pi * p.x()) * std::sin(pi * p.y()));
     };
     scene.exact = [](const P& p) { return p; };
-    // In half of the time curves become longer by the integral of the gradient, which is no more
-    // than pi times the speed, and bend by that of the second derivatives, pi squared times it; and
-    // a curve that is drawn out by a factor across its bend is bent by the square of it.
+    // Bounds at half the time: the stretch is exp of the integral of the velocity gradient, at most
+    // pi times the speed. The curvature grows by the integral of the second derivatives, at most pi
+    // squared times the speed, and by the square of the stretch across the bend.
     scene.stretch = std::exp(pi * strength);
     scene.curvature = (scene.curvature * scene.stretch + pi * pi * strength) * scene.stretch;
     if (row.phases == Phases::junctions && row.place != Place::pair) {
-        scene.longest_at_start = 1; // of the chord, which bends as well
+        scene.longest_at_start = 1; // the straight chord, which the flow bends as well
     }
 }
 
-// With half the speed where the inner shape grows: then all is scaled alike.
+// Nested shapes: with half the speed for the inner shape, both are scaled by the same factor.
 void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
     scene.end = std::abs(by);
     if (row.place == Place::layer) {
@@ -209,7 +211,7 @@ void grow(Scene& scene, const Row& row, const Shape& shape, double by) {
         return P(centre + factor * (p - centre));
     };
     if (row.place == Place::pair) {
-        // Both end up at the line in the middle between them, which is gone if they are one.
+        // Both discs end at the line half-way between them; if they merge, that line vanishes.
         scene.exact = [=](const P& p) {
             const bool is_left = p.x() < shape.centre.x();
             P end = scaled(p, shape.centre + P(is_left ? -aside : aside, 0));
@@ -237,13 +239,13 @@ void bend(Scene& scene, const Row& row, const Shape& shape) {
     if (row.motion == Motion::vanish) {
         scene.end = 1.1 * smallest * smallest / 2;
         scene.meets = true;
-        smallest = shape.radius; // the other one's: nothing of the inner one is left
+        smallest = shape.radius; // the outer radius, because the inner shape has vanished
     }
     if (scene.curvature > 0) {
         scene.curvature = 1 / std::sqrt(smallest * smallest - 2 * scene.end);
     }
     if (row.phases == Phases::junctions && row.place == Place::layer) {
-        // A sixth of a half turn, at right angles to the sides of the domain.
+        // Each curve turns by pi / 6: its ends are at right angles to the sides of the domain.
         const double each = pi / 6 * scene.end;
         scene.area_changes = {2 * each, -each, -each};
     } else if (row.phases == Phases::junctions && row.place != Place::pair) {
@@ -264,7 +266,7 @@ void bend(Scene& scene, const Row& row, const Shape& shape) {
 }
 
 void set_motion(Scene& scene, const Row& row, const Shape& shape) {
-    // Those of the inner of two nested shapes.
+    // Of two nested shapes, the inner one has the larger curvature.
     const double radius = row.phases == Phases::nested ? shape.radius / 2 : shape.radius;
     const bool is_straight = row.outline == Outline::corners || row.place == Place::layer;
     scene.curvature = is_straight ? 0 : 1 / radius;
@@ -286,7 +288,7 @@ void set_motion(Scene& scene, const Row& row, const Shape& shape) {
 
 // --- the turn ------------------------------------------------------------------------------------
 
-// Exact but for one subtraction of each coordinate.
+// The rotation or reflection of the scene; exact except for one subtraction per coordinate.
 class Frame {
 public:
     Frame(Turned turned, const P& size) : is_mirrored_(turned == Turned::mirrored) {

@@ -25,8 +25,8 @@ struct Scene {
     double end = 1; ///< the time
     int steps = 24;
 
-    /// The last position of a point of the interface. Points on the domain boundary stay on it;
-    /// pieces of a phase that overlap at the end are one piece.
+    /// Maps a point of the first interface to its exact last position. Points on the domain
+    /// boundary stay on it; pieces of a phase that overlap at the end are one piece.
     std::function<Point<double>(const Point<double>&)> exact;
     /// As a function of position and time; empty for `grow`, `shrink`, `curvature` and `vanish`.
     std::function<Point<double>(const Point<double>&, double)> velocity;
@@ -44,7 +44,7 @@ struct Scene {
     double seam = 0;
     double seam_angle = std::numbers::pi / 2;
     bool meets_boundary = false;
-    /// Vertices have targets beyond a side of the domain, and need not arrive.
+    /// Targets of some vertices lie beyond a side of the domain, so these vertices need not arrive.
     bool runs_into_boundary = false;
 
     /// The changes of areas by phase, where no map is known: by curvature flow with junctions, by

@@ -22,11 +22,11 @@ using P = Point<double>;
 
 // --- how far a shape may be off -----------------------------------------------------------------
 
-// By reasons: nothing but rounding where straight curves are advected, and elsewhere what
-// chords, cut corners, films and methods of a known order account for. In edge lengths.
+// Tolerances are derived: for advected straight curves from rounding alone, otherwise also from the
+// errors of chords, cut corners, films, and methods of known order. In edge lengths.
 struct Tolerance {
     double mean = 0;     ///< symmetric difference over the length of the curve
-    double farthest = 0; ///< of an interface vertex from the curve
+    double farthest = 0; ///< largest distance of an interface vertex from the curve
 
     Tolerance& operator+=(const Tolerance& other) {
         mean += other.mean;
@@ -35,13 +35,13 @@ struct Tolerance {
     }
 };
 
-// All lengths below are in edge lengths, but for those of the scene.
+// Lengths below are in edge lengths, except those of the scene.
 const InterfaceThresholds remeshing;
 
 // Coordinates are rounded when a target is found and when it is reached: by half a unit in the last
 // place of the largest one, twice, in either direction. Curvature flow gives the ends of curves on
 // a side of the domain a tension along it of 1e-9 (curve_network.h), so that no system is singular:
-// over the time it moves them so far, where edges are of length 1.
+// it moves the ends by up to 1e-9 times the duration, for edges of length 1.
 double rounding(const Row& row, const Scene& scene, std::size_t sub_steps) {
     const double epsilon = row.precision == Precision::in_double
                                ? std::numeric_limits<double>::epsilon()
@@ -58,7 +58,7 @@ double rounding(const Row& row, const Scene& scene, std::size_t sub_steps) {
 Tolerance chords(const Row& row, const Scene& scene) {
     double chord = remeshing.longest;
     double longest = remeshing.longest + remeshing.shortest;
-    // If no edge is merged, it is as long as at the start, and longer as the curve is.
+    // Without coarsening, edges keep their initial length times the stretch of the curve.
     const double drawn = scene.longest_at_start * scene.stretch;
     if (row.coarsening == Coarsening::never && drawn < 1) {
         chord = longest = is_normal(row) || is_by_curvature(row) ? drawn : 0;
@@ -67,35 +67,35 @@ Tolerance chords(const Row& row, const Scene& scene) {
     return {bend * chord * chord / 12, bend * longest * longest / 8};
 }
 
-// Where pieces meet, the film between them goes once it is thinner than the contact distance. If it
-// must not, sheets hold each other up as long as nothing between them is shorter than an edge that
-// remeshing collapses.
+// Where pieces meet, the film between them opens once it is thinner than the contact distance. If
+// the topology is kept, the sheets block each other at the length of the shortest edge that
+// remeshing keeps.
 Tolerance meeting(const Row& row, const Scene& scene, double length) {
     if (scene.seam == 0) {
         return {};
     }
     const double thickness = may_change(row) ? contact_of(row) : PhaseThresholds{}.shortest;
-    // Of two phases each may have the whole film to its own side of the middle.
+    // If the film lies between two different phases, either may get all of its own half.
     const bool are_two = row.phases == Phases::junctions && !scene.meets_boundary;
     const double film = thickness * scene.seam / scene.h / (are_two ? 2 : 1);
     double area = 0;
     if (!may_change(row) || are_two) {
-        area += film; // it stays, or what takes it is one of two
+        area += film; // the film stays, or belongs to one of the two phases
     }
     if (row.topology == Rule::given_back) {
-        area += film; // and is found elsewhere
+        area += film; // the area is given back elsewhere
     }
-    // At either end of the seam a wedge is left, which goes as well as far as a triangle across it
-    // is no higher than the film. One of its edges may lie along a sheet or the domain boundary,
-    // and be as long as any there...
+    // At either end of the seam is a wedge, which closes up to where a triangle across it is as
+    // high as the film. An edge of that triangle may lie along a sheet or the domain boundary, and
+    // have the longest length there...
     const double edge = scene.meets_boundary ? PhaseThresholds{}.longest : remeshing.longest;
-    area += thickness * std::max(edge, thickness); // half of it at either end
-    // ...and from then on two phases, or a sheet and the domain boundary, meet at its far end.
+    area += thickness * std::max(edge, thickness); // half of this area at either end
+    // ...and two phases, or a sheet and the domain boundary, then meet at the far end of the wedge.
     const double sideways = are_two || scene.meets_boundary ? edge * std::sin(scene.seam_angle) : 0;
     return {area / length, std::max(thickness, sideways)};
 }
 
-// `length`: of the curve, in edge lengths.
+// `length` is that of the curve, in edge lengths.
 Tolerance tolerance_of(const Row& row, const Scene& scene, double length, std::size_t sub_steps) {
     const double least = rounding(row, scene, sub_steps);
     Tolerance all{least, least};
@@ -104,7 +104,8 @@ Tolerance tolerance_of(const Row& row, const Scene& scene, double length, std::s
     return all;
 }
 
-// Where the integrator of a row brings a place in sub-steps that begin at these times.
+// The position to which the row's integrator brings a point, in sub-steps that begin at these
+// times.
 Point<double> by_method(const Row& row, const Scene& scene, std::span<const double> times,
                         const Point<double>& start) {
     using scenes::IntegratorChoice;
@@ -146,7 +147,7 @@ Point<double> by_method(const Row& row, const Scene& scene, std::span<const doub
 
 // --- what the end of a run must be ---------------------------------------------------------------
 
-// What the end of a run must be, and what it is.
+// Compares the end of a run with its exact result.
 class Judge {
 public:
     Judge(const Row& row, const Scene& scene, const Outcome& outcome)
@@ -154,7 +155,7 @@ public:
 
     std::vector<std::string> problems() {
         if (!problems_.empty()) {
-            return problems_; // what follows from them tells nothing
+            return problems_; // later checks would only repeat these faults
         }
         check_counts();
         check_domain();
@@ -201,7 +202,7 @@ private:
         for (Phase phase = 0; phase < scene_.area_changes.size(); ++phase) {
             const double change = outcome_.last.areas[phase] - outcome_.first.areas[phase];
             const double expected = scene_.area_changes[phase];
-            // Of the change: the angles at the junctions have to form first.
+            // Relative to the change: the angles at the junctions first have to form.
             constexpr double tolerated = 0.05;
             expect(std::abs(change - expected) <= tolerated * std::abs(expected),
                    "the area of phase ", phase, " changes by ", change, ", not by ", expected);
@@ -209,8 +210,9 @@ private:
     }
 
     void check_shapes() {
-        // Euler's method grows what it turns, and is so far off that it is what is compared with;
-        // of the others the error is allowed, twice, as sub-steps are not all cut alike.
+        // Euler's method enlarges rotated shapes, so much that the result is compared with Euler's
+        // own. For other integrators twice the method's error is allowed, because sub-steps differ
+        // in length.
         const bool is_curved = row_.motion == Motion::turn || row_.motion == Motion::swirl;
         const bool is_euler =
             row_.integrator == scenes::IntegratorChoice::euler && row_.told != Told::motion;
@@ -252,7 +254,7 @@ private:
         }
     }
 
-    // What goes there and back must have been away.
+    // Shapes that return to their start must have moved away at half the time.
     void check_way() {
         double moved = 0;
         for (Phase phase = 1; phase < scene_.phases; ++phase) {
@@ -270,13 +272,14 @@ private:
     std::vector<std::string> problems_;
 };
 
-// Whether the interruption of a row is to leave no trace in the mesh.
+// Whether the mesh must be bitwise identical to that of a run without the interruption.
 bool leaves_no_trace(const Row& row) {
     switch (row.interruption) {
-    // Where sizes are graded, a step looks at some more of the mesh.
+    // With graded sizes each further step visits a part of the mesh again.
     case Interruption::pause:
     case Interruption::set_options: return row.sizes == Sizes::uniform;
-    // Nothing has moved before the first call, but submeshes have been kept up, and are again.
+    // The exception comes before any movement; but in submeshes the interface has been remeshed
+    // already, and is remeshed again in the repeated step.
     case Interruption::thrown: return row.way == Way::sequential && row.sizes == Sizes::uniform;
     case Interruption::none:
     case Interruption::tiny_step:
@@ -297,7 +300,7 @@ std::vector<std::string> problems_of(const Row& row, double fineness) {
     const std::uint32_t most = row.way == Way::sequential ? 2 : 3;
     for (std::uint32_t threads = 2; threads <= most; ++threads) {
         const std::string of = std::to_string(threads) + " threads";
-        // In single precision, products of lengths of what vanishes would underflow.
+        // In single precision, products of the lengths of vanishing edges would underflow.
         const bool is_rescaled = threads == most && row.precision == Precision::in_double;
         const Scene again = is_rescaled ? in_units(scene, 0x1p-40, 0x1p-7) : scene;
         const Outcome other = run_row(row, again, {.threads = threads, .is_resumed = threads == 2});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Attributes: found by name, kind and type; and an edge is written at both its corners.
+// Attributes are found by name, kind and type; writing an edge's value updates both of its corners.
 #include "support/refusal.h"
 #include "support/small_meshes.h"
 

@@ -37,7 +37,8 @@ TEST(RingLimits, AStarOfOneTriangleTooManyIsNotGathered) {
     EXPECT_FALSE(gather(test::wheel<double>(most + 2), Region{}, 0, star));
 }
 
-// All coordinates are binary fractions, so that both meshes lie alike in their boxes, exactly.
+// All coordinates are binary fractions, so both meshes have exactly the same positions within their
+// bounding boxes.
 TEST(NumberingLimits, TheOrderDoesNotDependOnWhereTheOriginLies) {
     const auto moved = [](double by) {
         auto complex = test::grid<double>(8);

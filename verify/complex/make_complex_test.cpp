@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What make_complex refuses: each sentence once, and nothing that is sound.
+// The refusals of make_complex: each message once, and no valid mesh is refused.
 #include "support/refusal.h"
 #include "support/small_meshes.h"
 
@@ -62,8 +62,8 @@ TEST(MakeComplex, RefusesWhatMakesNoSense) {
     }
 }
 
-// A corner is a number of 32 bits, and a triangle has four. The triangles need not be there to be
-// counted.
+// A corner is stored in 32 bits, four numbers for each triangle, which limits the number of
+// triangles. The span's size alone is checked, so no such array is needed.
 TEST(MakeComplex, RefusesMoreTrianglesThanThereAreCorners) {
     constexpr std::size_t most = (std::size_t{1} << 30U) - 3;
     const Indices triangle{0, 1, 2};

@@ -72,7 +72,8 @@ Complex<Real> used(unsigned seed) {
 }
 
 TEST(Hilbert, IsOneCurveAtFullOrder) {
-    // Neighbouring cells far from the origin: at least one of the four is the next on the curve.
+    // At least one of the four neighbours of a cell far from the origin is the next cell on the
+    // curve.
     std::mt19937 random(3);
     for (int i = 0; i < 1000; ++i) {
         const auto x = static_cast<std::uint32_t>(random() | 1U);
@@ -180,7 +181,7 @@ TYPED_TEST(Numbering, AttributesAndLocksMoveAlong) {
     for (const Vertex v : all_simplices(complex).vertices()) {
         EXPECT_EQ(complex.is_locked(v), v.id == moved.vertices[locked.id]);
     }
-    // The bounds have been updated: growth and new attributes go on from there.
+    // The bounds have been updated, so the complex can grow and get new attributes.
     insert_vertex(complex, Point<TypeParam>(50, 50));
     complex.attributes.template add<Triangle, double>("late");
     EXPECT_EQ(validate(complex).problem, "");

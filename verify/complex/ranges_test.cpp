@@ -77,7 +77,8 @@ TYPED_TEST(Ranges, OfAStarAndALinkGoRoundCounterClockwise) {
     EXPECT_EQ(ids(link_vertices(complex, Vertex{0})), (Ids{3, 4, 5, 6, 1, 2}));
 }
 
-// Without triangle 2 the star of the middle is open: from 3 round to 1, wherever its corner is.
+// Without triangle 2 the star of the centre is open: it runs from triangle 3 around to 1, whichever
+// corner the vertex stores.
 TYPED_TEST(Ranges, OfAStarAndALinkBeginAtTheDomainBoundary) {
     auto complex = hexagon<TypeParam>();
     remove(complex, SimplexSet({}, {}, {Triangle{2}}));
@@ -99,8 +100,8 @@ TYPED_TEST(Ranges, OfAVertexWithoutTrianglesAreEmpty) {
     EXPECT_TRUE(link_vertices(complex, v).empty());
 }
 
-// Triangle 2 vanishes before it is reached; its id is reused behind the loop, and id 7 is taken
-// beyond its end. The records move meanwhile.
+// Triangle 2 is removed before the loop reaches it; an id that the loop has passed is reused, and
+// id 7 is added beyond its end. The records move meanwhile.
 TYPED_TEST(Ranges, AllowChangesOfConnectivity) {
     auto complex = hexagon<TypeParam>();
     Ids met;

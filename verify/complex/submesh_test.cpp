@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A submesh owns a star if it owns all of its vertices, whatever its region is like. That each
-// place has one owner, parallel/partition_test.cpp says; and that a submesh leaves alone what it
-// does not own, that any number of threads give the same mesh, without a race.
+// A submesh owns a star if it owns all of its vertices, for every kind of region.
+// parallel/partition_test.cpp shows that each place has one owner. That submeshes do not touch what
+// they do not own follows from equal results for any number of threads, without a race.
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 
@@ -24,7 +24,7 @@ namespace {
 
 using test::Dice;
 
-// A complex with free ids, as submeshes have for themselves.
+// A complex with free ids, such as the pools of submeshes hold.
 Complex<double> divided(Dice& dice, bool patches) {
     constexpr double h = 0.03;
     auto complex =
@@ -80,7 +80,7 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
         break;
     }
     case Form::labels:
-        // A disc; free ids in its pool are its own.
+        // The submesh owns a disc, and the free ids in its pool.
         for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
             const bool inside =
                 (complex.position(Vertex{v}) - Point<double>(0.5, 0.5)).norm() < 0.3;
@@ -93,8 +93,8 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
     }
 }
 
-// Its centre and all of its link, whichever way it is tested; also where vertices lie exactly on a
-// cut, which belongs to the submesh above it alone.
+// It must own the centre and the whole link, whichever function tests it; a vertex exactly on a cut
+// belongs only to the submesh above.
 TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
     std::array<std::size_t, 2> stars{};
     for (const Form form : forms) {

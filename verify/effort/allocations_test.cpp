@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A step allocates nothing once it is warm: arrays are scratch of the executor and keep their room.
-// Counted by operator new, which this program replaces, and therefore in a program of its own.
+// After the first steps no step allocates: arrays belong to the executor and keep their capacity.
+// This program counts allocations by replacing operator new, so it is separate from the other
+// tests.
 #include "effort/counting_new.h"
 #include "support/random/scene.h"
 #include "support/topology/changing.h"
@@ -120,8 +121,8 @@ TEST(Allocations, SequentialStepsMakeNone) {
     }
 }
 
-// The mesh is divided anew in every eighth step, which makes lists of cuts and parts; and arrays of
-// a submesh that is new there grow once more. All other steps make none.
+// The mesh is divided anew in every eighth step, which allocates lists of cuts and parts, and the
+// arrays of new submeshes grow. All other steps allocate nothing.
 TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
     for (const Choice& choice : choices()) {
         if (!choice.in_submeshes) {
@@ -137,8 +138,8 @@ TEST(Allocations, StepsInSubmeshesMakeNoneBetweenDivisions) {
     }
 }
 
-// A disc that is drawn out gets new vertices in every third step. Each array doubles on the way,
-// once or twice, so that few steps allocate.
+// A disc that is stretched gets new vertices in every third step. Each array doubles its capacity
+// once or twice during the run, so few steps allocate.
 void expect_rare_growth(const Velocity<double>* velocity, const InterfaceFlow<double>& flow,
                         Way way) {
     constexpr double finer = h / 3;

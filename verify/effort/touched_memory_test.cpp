@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A step looks at the interface and at what changes around it, never at the whole mesh: of a large
-// mesh with a small disc in it, steps touch a small part. Counted by Linux, which marks the pages
-// that a process uses.
+// A step visits the interface and what changes around it, never the whole mesh: in a large mesh
+// with a small disc, steps touch a small part of the memory. Linux marks the pages that a process
+// uses, which are counted.
 #include "support/pointwise.h"
 #include "support/random/scene.h"
 #include "support/topology/changing.h"
@@ -26,7 +26,7 @@ using test::Way;
 constexpr double h = 0.02;
 constexpr int steps = 6;
 
-// In kB; -1 where this kernel does not say.
+// The memory touched, in kB; -1 if the kernel does not report it.
 long referenced_memory() {
     std::ifstream sums("/proc/self/smaps_rollup");
     for (std::string line; std::getline(sums, line);) {
@@ -44,8 +44,8 @@ bool forget_references() {
 }
 
 struct Touched {
-    long kilobytes = 0; ///< a little less, as the processor remembers a few pages
-    long mesh = 0;      ///< all vertices and triangles, in kB
+    long kilobytes = 0; ///< slightly low: pages in the processor's cache are not marked
+    long mesh = 0;      ///< size of all vertices and triangles, in kB
     std::uint64_t moves = 0;
     std::uint32_t triangles = 0;
 };
@@ -88,14 +88,14 @@ void expect_small_part(const test::ChangingOptions<double>& options, Way way) {
                  std::to_string(touched.mesh));
     EXPECT_GT(touched.moves, 100U) << "hardly anything moved";
     EXPECT_GT(touched.triangles, 300'000U);
-    // Going once over all vertices alone would touch a third of the mesh.
+    // A single loop over all vertices would touch a third of the mesh.
     EXPECT_LT(touched.kilobytes, touched.mesh / 8);
 }
 
 class TouchedMemory : public testing::Test {
 protected:
     void SetUp() override {
-        // Large pages would be touched as a whole.
+        // With large pages, one access would count as a whole large page.
         if (prctl(PR_SET_THP_DISABLE, 1, 0, 0, 0) != 0 || referenced_memory() < 0 ||
             !forget_references()) {
             GTEST_SKIP() << "this kernel does not count references";

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Do the tests notice what is wrong? Builds a copy of the project that holds faults, each with a switch,
-and runs the tests on each of them until one fails.
+"""Mutation testing: builds a copy of the project that contains faults, each with a switch, and runs the tests
+on each fault until one fails.
 
 The folder `table` has a file for each room, and an entry for each seeded fault:
 
@@ -12,18 +12,18 @@ The folder `table` has a file for each room, and an entry for each seeded fault:
     file = "lib/dsc/operations/edge_flip.h"
     form = "statement"                      # or "text"; unless given, "expression"
     original = "if («a < b») {"             # occurs once in the file, without the marks
-    faulty = "a <= b"                       # what takes the place of the part between the marks
-    also = ["test_hashes"]                  # optional: tests of other rooms that are there for it too
+    faulty = "a <= b"                       # replaces the part between the marks
+    also = ["test_hashes"]                  # optional: tests of other rooms that may catch it
 
 The part of `original` between « and », or all of it, is what the fault replaces; the rest makes it
 unique. An expression becomes `(FAULT ? (faulty) : (original))`, a statement
-`if (FAULT) {faulty} else {original}`; the form `text` puts `faulty` in its place as it is, with FAULT
-where the switch is asked. Files that are not C++ are replaced as a whole while their fault is on.
+`if (FAULT) {faulty} else {original}`; the form `text` inserts `faulty` literally, with FAULT
+where the switch is read. Files that are not C++ are replaced as a whole while their fault is on.
 
-Mutants are faults that nobody has thought of: a rule changes one token of a condition or of a value, or
-leaves out a call (R. H. Untch, A. J. Offutt, M. J. Harrold, "Mutation analysis using mutant schemata",
-1993). Only what stands in one line is changed, so that no parser is needed, and a mutant that does not
-compile is dropped. `equivalent.toml` lists those that no test can tell from the original."""
+Mutants are generated faults: a rule changes one token of a condition or of a value, or leaves out a call
+(R. H. Untch, A. J. Offutt, M. J. Harrold, "Mutation analysis using mutant schemata", 1993). A mutant changes a
+single line, so no parser is needed, and is dropped if it does not compile. `equivalent.toml` lists mutants
+that no test can distinguish from the original."""
 import argparse
 import collections
 import concurrent.futures
@@ -41,13 +41,13 @@ import zlib
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 COPIED = ("CMakeLists.txt", "CMakePresets.json", "README.md", "CHANGELOG.md", "LICENSE", ".clang-format",
           "lib", "reference", "verify", "bench", "plots")
-MODULES = ("fluid", "geometric_flows", "replay", "thesis", "topology")  # whose lines are mutated, as the core's are
+MODULES = ("fluid", "geometric_flows", "replay", "thesis", "topology")  # mutated like the core
 PLACE = re.compile(rf"source/(lib/(?:dsc|{'|'.join(MODULES)})/[\w/]+\.(?:cpp|h)):(\d+)")
-LEAST = 0.9             # of the mutants that are not equivalent
-TRIES_OF_RACES = 3      # a race does not show in each run
+LEAST = 0.9             # smallest fraction of mutants to be detected, without equivalent ones
+TRIES_OF_RACES = 3      # a race may not appear in every run
 LIMITS = ["prlimit", "--cpu=300", f"--as={6 << 30}", "--core=0"]  # of each test; beyond, it "did not end"
 
-# The tests of a room, which have to catch its faults: beginnings of CTest's names.
+# The tests of each room, which must catch its faults: beginnings of CTest's names.
 OWN = {
     "base": ["test_base"], "geometry": ["test_geometry"], "queries": ["test_complex"],
     "complex": ["test_complex", "test_operations", "test_fuzz"], "quality": ["test_quality"],
@@ -64,8 +64,8 @@ OWN = {
                "test_figures.(RunScene|SceneFileExact|Describe|Catalogue/Described)"],
     "reference": ["test_reference"], "gate": ["test_judge", "gate_cli_test"], "plots": ["plots_test"],
 }
-# What is asked next, and what of it is not: all that is short, and at last the hashes, which notice nearly
-# everything and say nothing about what is wrong.
+# Tests that run next, and exceptions: all short ones, and finally the hashes, which notice nearly everything
+# but do not say what is wrong.
 OTHERS = [(["test_.*"], "^test_(hashes|figures|hard)"), (["test_figures", "test_hard"], ""),
           (["test_hashes"], "")]
 
@@ -92,7 +92,7 @@ class Fault:
         return self.original.replace("«", "").replace("»", "")
 
     def place_in(self, text):
-        """Of the text that is replaced; for a mutant, within its line."""
+        """The position of the replaced text; for a mutant, within its line."""
         if self.line:
             start = sum(len(line) + 1 for line in text.split("\n")[:self.line - 1])
             return text.index(self.sought, start)
@@ -182,8 +182,8 @@ def equivalent_ones():
 
 
 def sample_of_mutants(count):
-    """At most one of each line, none of which is equivalent to the original. A change of the sources
-    leaves the sample of other lines as it is."""
+    """A sample with at most one mutant of each line, without equivalent ones. A change of the sources does
+    not change the sample of other lines."""
     equivalent = equivalent_ones()
     some = [one for says, ones in all_mutants().items() if says not in equivalent for one in ones]
     some.sort(key=lambda one: zlib.crc32(f"1{one.name}".encode()), reverse=True)
@@ -212,8 +212,7 @@ def texts_with(faults):
 
 
 def write_copy(folder, faults):
-    """Brings the copy up to date. What is the same is not written, so that no more is compiled again than
-    has changed."""
+    """Updates the copy. Unchanged files are not written, so that only changes are compiled again."""
     files = [file for name in COPIED for file in ([ROOT / name] if (ROOT / name).is_file()
                                                   else (ROOT / name).rglob("*")) if file.is_file()]
     texts = {str(file.relative_to(ROOT)): file.read_bytes() for file in files
@@ -240,7 +239,7 @@ def build(folder, faults, targets, jobs):
                     "-D", f"DSC_PYTHON={sys.executable}"], check=True, stdout=subprocess.DEVNULL)
     while (made := subprocess.run(["cmake", "--build", folder / "build", "--parallel", str(jobs), "--target",
                                    *targets, "--", "-k", "0"], capture_output=True, text=True)).returncode:
-        # The include is the first line of the copy's file.
+        # The include is the first line of the copied file.
         wrong = {(file, int(line) - 1) for file, line in PLACE.findall(made.stdout + made.stderr)}
         fewer = [fault for fault in faults if (fault.file, fault.line) not in wrong]
         if len(fewer) == len(faults):
@@ -254,7 +253,7 @@ def build(folder, faults, targets, jobs):
 
 
 def first_failure(folder, tests, but="", name=""):
-    """(test, how, CPU seconds) of the first test that fails of those that CTest calls so, or of one of
+    """(test, how, CPU seconds) of the first failing test among those with these names in CTest, or of one of
     their suites; test and how are None if all pass."""
     with tempfile.TemporaryDirectory() as empty, tempfile.TemporaryFile("w+", errors="replace") as output:
         process = subprocess.Popen(
@@ -275,7 +274,7 @@ def first_failure(folder, tests, but="", name=""):
 
 
 def try_fault(folder, fault, alone):
-    """What the report shows of a fault."""
+    """The entry of a fault in the report."""
     own = [*OWN.get(fault.room, []), *fault.also]
     name, spent = fault.name if fault.is_cpp else "", 0.0
     path = folder / "source" / fault.file
@@ -296,7 +295,7 @@ def try_fault(folder, fault, alone):
 
 
 def check():
-    """Ends the program where table, rules and sources do not fit together."""
+    """Ends the program if table, rules and sources do not fit together."""
     table, mutants = read_table(), all_mutants()
     for fault in table:
         if not fault.is_cpp:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A dumbbell that is eroded, against areas and distances that are found from its outline alone.
+// An eroded dumbbell, against areas and distances computed from its outline alone.
 #include "flows/eroded_dumbbell.h"
 
 #include "dsc/base/error.h"
@@ -12,7 +12,7 @@ namespace dsc::scenes::eroded_dumbbell_test {
 namespace {
 
 const Dumbbell straight; // the neck closes at 0.03
-// The roundings meet in the middle, and no part of the neck is straight.
+// With these sizes the fillets meet in the middle, so no part of the neck is straight.
 const Dumbbell waisted{.distance = 2 * rounding_offset({.distance = 9, .rounding = 0.17}).x(),
                        .rounding = 0.17};
 const Dumbbell short_neck{.centre = {2, -1}, .distance = 0.4, .neck = 0.08, .rounding = 0.06};

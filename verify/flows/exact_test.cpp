@@ -58,7 +58,7 @@ std::vector<Point<double>> velocities(const Velocity& velocity, const Outline& a
     return result;
 }
 
-// The closed form against the velocity that it integrates, and against a fall without a surface.
+// The closed form, against the velocity that it integrates and against a fall without a surface.
 TEST(Velocity, FallingComesToRestAtTheSurface) {
     const Falling fall{.surface = 0.3, .depth = 0.1, .speed = 2};
     const double d = 1e-6;
@@ -118,7 +118,7 @@ TEST(Velocity, FieldsOfTheThesis) {
     EXPECT_EQ(velocities(reversed(Rotation{centre, 2}), at, 0)[0], (Point<double>{8, -6}));
 }
 
-// The vortex about the origin, of speed 1, after a time: each circle turns rigidly.
+// The exact map of the vortex of speed 1 about the origin: each circle rotates rigidly.
 FlowMap vortex_map(double time) {
     return [time](std::span<Point<double>> points) {
         for (Point<double>& p : points) {
@@ -130,7 +130,7 @@ FlowMap vortex_map(double time) {
 }
 
 TEST(FlowMap, ReversalKeepsTheOrder) {
-    // A step that saw the sign of the wrong leg would make this first order.
+    // If a step across the reversal used the sign of the wrong leg, the order would be 1.
     const Flow flow = there_and_back(Vortex{{0, 0}, 1.0}, 2.6);
     const auto error = [&](int steps) {
         Outline half{{0.5, 0.25}};
@@ -167,8 +167,8 @@ TEST(Exact, RigidMotions) {
     EXPECT_EQ(moved.area, signed_area(first));
 }
 
-/// Every limit on a symmetric difference rests on these shapes, so they are found a second time, by
-/// code that shares nothing with them: the formula of the velocity written out, and far more steps.
+/// Every limit on a symmetric difference relies on these exact shapes, so they are computed a
+/// second time by independent code: the velocity's formula written out, and far more steps.
 Point<double> advected(Point<double> p, double time, double period) {
     constexpr int steps = 2000;
     const double dt = time / steps;
@@ -238,7 +238,7 @@ TEST(Exact, MarkersForAMeshMissAThousandthOfWhatItsEdgesDo) {
         const double chords = h * h * turned / 12; // of a polygon whose vertices lie on the curve
         EXPECT_LT(symmetric_difference(shape.outlines, finest.outlines), 1e-3 * chords) << h;
         EXPECT_LT(shape.own_error, 2e-3 * chords) << h;
-        EXPECT_GT(shape.own_error, 1e-4 * chords) << h; // none are there for nothing
+        EXPECT_GT(shape.own_error, 1e-4 * chords) << h; // there are no more markers than needed
     }
 }
 
@@ -256,7 +256,7 @@ TEST(Exact, TwistedSquareAgreesWithItsClosedForm) {
 
 TEST(Exact, CornersStayVertices) {
     const Outline box = square(0, 0, 100);
-    // The same square with its parameter shifted, so that no corner is at the parameter zero.
+    // The same square with its parameter shifted, so that no corner is at parameter zero.
     const ParametricCurve plain = polygon_curve(box);
     const ParametricCurve shifted{[&](double s) {
                                       EXPECT_TRUE(s >= 0.0 && s < 1.0);

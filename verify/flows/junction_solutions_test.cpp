@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact solutions with junctions, each against a computation that knows nothing of its formulas.
+// Exact solutions with junctions, each against a computation that is independent of its formulas.
 #include "flows/junction_solutions.h"
 
 #include "dsc/base/error.h"
@@ -21,7 +21,7 @@ double degrees(double angle) { return angle * pi / 180; }
 // --- the lens -----------------------------------------------------------------------------------
 
 // The length of a lens of two arcs, whose tangents at the tips make this angle with the interface,
-// less that of the interface which it replaces.
+// minus the length of interface between the tips.
 double length_of_lens(double area, double angle) {
     const double radius = std::sqrt(area / (2 * angle - std::sin(2 * angle)));
     return 4 * radius * angle - 2 * radius * std::sin(angle);
@@ -31,7 +31,7 @@ TEST(Lens, IsTheShortestOneOfItsArea) {
     constexpr double area = 0.05;
     const Lens lens{.centre = {0.3, -2}, .axis = {3, 4}, .area = area};
     const ExactShape shape = lens_shape(lens);
-    // It takes the place of the interface between its tips, which are sqrt(3) radii apart.
+    // The lens replaces the interface between its tips, which are sqrt(3) radii apart.
     const double tip_to_tip = std::sqrt(3 * area / (2 * pi / 3 - std::sqrt(3) / 2));
     const double length = perimeter(shape.outlines) - tip_to_tip;
     EXPECT_NEAR(length, length_of_lens(area, pi / 3), 1e-8);
@@ -46,8 +46,9 @@ TEST(Lens, IsTheShortestOneOfItsArea) {
 
 // --- four sectors -------------------------------------------------------------------------------
 
-// Along the curve by its length, in long double: it moves at the speed of its curvature and stays
-// similar to itself, so that its curvature is half of (place . normal). Its last direction.
+// Integrates the self-similar curve by arc length, in long double, and returns its last direction.
+// The curve moves at the speed of its curvature and stays similar to itself, so its curvature is
+// (position . normal) / 2.
 double last_direction(long double factor) {
     using State = std::array<long double, 3>; // x, y, direction
     const auto rate = [](const State& s) -> State {
@@ -93,7 +94,8 @@ TEST(FourSectors, OpenAtTheKnownRates) {
 
 const Rectangle box{{0.2, 0.1}, {1.1, 0.8}};
 
-// The normal of its convex curves turns by pi / 3 - theta each: the area swept in a time.
+// The area that the sector loses: the normal of each of its two convex curves turns by pi / 3 -
+// theta.
 TEST(FourSectors, TheRightOneLosesAreaAtTheRateOfItsTurn) {
     for (const double theta : {20.0, 45.0, 55.0}) {
         const FourSectors sectors{.theta = degrees(theta)};

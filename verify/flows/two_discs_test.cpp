@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Two discs that grow, merge and shrink, against an area that is found from distances alone.
+// Two discs that grow, merge and shrink, against an area computed from distances alone.
 #include "flows/two_discs.h"
 
 #include "measures/symmetric_difference.h"
@@ -16,7 +16,7 @@ namespace {
 using std::numbers::pi;
 
 TEST(TwoDiscs, HaveOutlinesOfThatArea) {
-    // At any place and in any direction.
+    // Two discs at an arbitrary position and direction.
     const TwoDiscs discs{.first = {0.3, 0.2}, .second = {0.45, 0.4}, .radius = 0.1};
     for (const double growth : {-0.02, 0.0, 0.02, 0.0249, 0.0251, 0.1}) {
         for (const double shrinkage : {0.0, 0.01, 0.07, 0.1, 0.155, 0.157, 0.19}) {
@@ -39,7 +39,7 @@ TEST(TwoDiscs, MergeAndPart) {
     EXPECT_EQ(shrunk_discs(discs, 0.1, parting + 1e-4).outlines.size(), 2U);
     EXPECT_TRUE(shrunk_discs(discs, 0.1, 0.2).outlines.empty());
     EXPECT_EQ(shrunk_discs(discs, 0.1, 0.2).area, 0);
-    // What one growth and shrinkage add is only what has merged.
+    // Growth followed by shrinkage adds only the area between the merged discs.
     const double before = shrunk_discs(discs, 0, 0).area;
     EXPECT_NEAR(shrunk_discs(discs, 0.02, 0.02).area, before, 1e-15);
     EXPECT_GT(shrunk_discs(discs, 0.1, 0.1).area, before + 1e-3);

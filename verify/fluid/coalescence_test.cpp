@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Integrated by a library, in 30 digits.
+// Reference values, integrated by a library in 30 digits.
 TEST(Coalescence, TimesOfNecksAreThoseOfAnotherQuadrature) {
     const auto time_at = [](double neck) { return coalescing_time(coalescing_at_neck(neck)); };
     EXPECT_NEAR(time_at(0.0743), 0.0450923966849328, 1e-13);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drops on a wall, against the cap of a disc that meets it at the angle that was asked for.
+// Drops on a wall, against the cap of a disc that meets the wall at the given contact angle.
 #include "fluid/scenes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Cap exact_cap(double area, double degrees) {
     return {radius * (1 - std::cos(angle)), radius * std::sin(angle)};
 }
 
-// What half a disc of phase 1 on a wall becomes, over the cap.
+// The final drop that a half disc of phase 1 on a wall becomes, relative to the exact cap.
 Cap relative_cap(double degrees, double edge_length, bool in_void) {
     constexpr double radius = 0.4;
     std::vector<Point<double>> arc;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fluids in domains of any shape: walls on oblique and curved sides, and what flows in and out.
+// Fluids in domains of any shape: walls on oblique and curved sides, inflow and outflow.
 #include "fluid/scenes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Points circle(double radius, int n) {
     return points;
 }
 
-constexpr double slope = 0.3; // of what is turned, in radians
+constexpr double slope = 0.3; // rotation of the domains, in radians
 Point<double> turned(double x, double y) {
     return {std::cos(slope) * x - std::sin(slope) * y, std::sin(slope) * x + std::cos(slope) * y};
 }
@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(InDomains, Rest,
                                          Case{"turned", turned_rectangle(2)}),
                          [](const auto& each) { return each.param.name; });
 
-// A parabola in, no stress out: exact for quadratic velocities.
+// A parabolic inflow, and no stress at the outlet: exact with quadratic velocities.
 TEST(FluidDomains, PoiseuilleInATurnedChannel) {
     const auto profile = [](const Point<double>& place) {
         const Point<double> at = turned_back(place);
@@ -105,14 +105,14 @@ TEST(FluidDomains, PoiseuilleInATurnedChannel) {
     FluidOptions options = one_fluid();
     options.equations = FluidEquations::stokes;
     options.wall_velocity = [&](const Point<double>& place, double) { return profile(place); };
-    const Fluid closed(complex, options); // as much is let out at the end
+    const Fluid closed(complex, options); // the outlet has the same profile
     const FluidField& field = closed.field();
     for (std::size_t i = 0; i < field.mesh.nodes.size(); ++i) {
         if (i >= field.mesh.vertex_bound || complex.is_alive(Vertex{static_cast<unsigned>(i)})) {
             EXPECT_NEAR((field.velocity[i] - profile(field.mesh.nodes[i])).norm(), 0, 1e-11);
         }
     }
-    // Without stress at the end the flow spreads a little there, but not upstream.
+    // Without stress at the outlet, the flow spreads a little there, but not upstream.
     options.wall_at = [](const Point<double>& middle) {
         return turned_back(middle).x() > 3 - 1e-9 ? Wall::open : Wall::no_slip;
     };
@@ -126,7 +126,7 @@ TEST(FluidDomains, PoiseuilleInATurnedChannel) {
     EXPECT_LT(at(2, 0.5).norm(), 2e-2);
 }
 
-// The inner one of two cylinders turns: u = A r + B / r.
+// The inner of two cylinders rotates: u = A r + B / r.
 double error_between_cylinders(double h) {
     const auto count = [h](double radius) {
         return static_cast<int>(std::lround(2 * pi * radius / h));
@@ -158,7 +158,7 @@ TEST(FluidDomains, CouetteBetweenCylindersIsOfSecondOrder) {
     EXPECT_LT(fine, coarse / 3);
 }
 
-// A cylinder that turns in a fluid whose outer wall slips: all turns with it.
+// A cylinder rotates in a fluid whose outer wall slips: the whole fluid rotates with it.
 TEST(FluidDomains, SlipOnACurvedSideIsWithoutFriction) {
     const Complex<double> complex = mesh_of({circle(1, 64), {circle(0.5, 32)}}, 0.1);
     FluidOptions options = one_fluid();
@@ -176,7 +176,7 @@ TEST(FluidDomains, SlipOnACurvedSideIsWithoutFriction) {
     }
 }
 
-// A front moves down a channel with the fluid behind it, which takes up more and more area.
+// A front moves down a channel; the area of the fluid behind it grows by the inflow.
 TEST(FluidDomains, WhatFlowsInIsPartOfTheArea) {
     constexpr double h = 0.1;
     const std::vector<Shape> behind{

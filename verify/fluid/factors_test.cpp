@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The factorisation against the equations that it was made from.
+// The factorisation, checked against the equations that it factorises.
 #include "fluid/scenes.h"
 #include "fluid/solve/factors.h"
 #include "fluid/system/share_out.h"
@@ -13,9 +13,9 @@
 namespace dsc::factors_test {
 namespace {
 
-constexpr double mass = 1e-4; // of pressures: large enough for one solution to be exact
+constexpr double mass = 1e-4; // weight of the pressure block: large enough that one solve is exact
 
-// The equations of a drop at rest, and all that their solution needs.
+// The equations of a drop at rest, and the data for their solution.
 struct Equations {
     explicit Equations(double edge_length, std::uint32_t threads = 1)
         : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
@@ -61,7 +61,7 @@ Eigen::VectorXd some_vector(int size) {
     return vector;
 }
 
-// g++ 12 takes what Eigen's own sum makes of AVX-512 for uninitialised.
+// g++ 12 wrongly warns that Eigen's own sum reads uninitialised AVX-512 registers.
 double norm(const Eigen::VectorXd& vector) {
     return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fluid refuses: options, domains, archives.
+// Options, domains and archives that a fluid refuses.
 #include "fluid/scenes.h"
 
 #include "support/refusal.h"
@@ -19,7 +19,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// Two fluids, of which something is changed.
+// Valid options of two fluids, which each case changes.
 void expect_refused(const std::string& words, const std::function<void(FluidOptions&)>& change) {
     const std::vector<Shape> shapes{{fluid_scenes::disc({0.5, 0.5}, 0.25, 0.2), 1}};
     const auto complex = initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = 0.2});
@@ -64,7 +64,7 @@ TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {
     expect_refused("phase 7", [](auto& o) { o.tensions = {{.one = 0, .other = 7}}; });
 }
 
-// n x n squares of side 1 without one of them, whose upper right corner is moved to the right.
+// n x n squares of side 1 without one; the upper right corner of the hole is moved to the right.
 Complex<double> squares(std::uint32_t n, std::uint32_t left_out, double moved = 0) {
     std::vector<Point<double>> points;
     std::vector<test::Indices> triangles;
@@ -113,7 +113,7 @@ TEST(FluidOptions, ASimulationOfAnotherComplexIsRefused) {
     EXPECT_EQ(fluid.time(), 0);
 }
 
-// Bytes that are cut, or of a fluid in another mesh.
+// Truncated bytes, and those of a fluid in another mesh.
 TEST(FluidArchives, AreReadWholeOrNotAtAll) {
     const auto complex_of = [](double h) {
         const std::vector<Shape> shapes{{fluid_scenes::disc({0.5, 0.5}, 0.25, h), 1}};

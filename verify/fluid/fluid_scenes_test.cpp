@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scenes of fluids, coarse: always a valid complex, and figures as the physics has them.
+// The scenes of fluids in coarse meshes: the complex stays valid, and figures agree with the
+// physics.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
@@ -63,7 +64,7 @@ TEST(FluidScenes, AreValidAfterEveryStep) {
     }
 }
 
-// At the beginning of a run, against the exact heights.
+// Compares the first steps of a run with the exact heights.
 TEST(FluidScenes, WavesHaveTheirExactHeights) {
     const RunResult level = run("capillary-wave", {"dt=0.0075", "steps=30"});
     EXPECT_LT(number(level.fluid, "amplitude_error"), 2e-3);
@@ -107,7 +108,7 @@ TEST(FluidScenes, ATensionOfPhasesThatNeverMeetIsRefused) {
         << "they may meet later";
 }
 
-// A drop of another phase falls into the pool, but nobody has said what their tension is.
+// A drop of another phase falls into the pool, but no tension is given for this pair of phases.
 TEST(FluidScenes, PhasesThatMeetWithoutATensionEndTheRun) {
     const Scene scene = changed("falling-drop", [](auto& setup) {
         setup.curves.back().left = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fluids whose forces are in balance rest to rounding, and their pressures are exact.
+// Fluids whose forces are in balance stay at rest up to rounding, with exact pressures.
 #include "fluid/scenes.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ double jump(const Fluid& fluid) {
     return mean_pressure(fluid.field(), 1) - mean_pressure(fluid.field(), 0);
 }
 
-// The tension over the distance of the edges from the centre: two edges at the angle a pull at
-// their vertex by 2 sin(a / 2) times the tension, and the pressure pushes by its jump times
-// cos(a / 2) times an edge, which is 2 tan(a / 2) times that distance.
+// The pressure jump of a regular polygon: tension / d, where d is the distance of its edges from
+// the centre. Two edges at the angle a pull at their vertex with 2 sin(a / 2) times the tension;
+// the pressure pushes with its jump times cos(a / 2) times an edge of length 2 d tan(a / 2).
 double exact_jump(const Complex<double>& complex, double tension) {
     const VertexLoop outline = outlines(complex, 1).front();
     const Point<double> middle = (complex.position(outline[0]) + complex.position(outline[1])) / 2;
@@ -36,7 +36,7 @@ TEST(FluidRest, ADropStaysAsItIs) {
     }
 }
 
-// A drop whose edges differ: three by three of them become longer and shorter.
+// A drop with unequal edges: groups of three are longer and shorter by turns.
 Tank unequal_drop(double edge_length) {
     const int n = 6 * static_cast<int>(std::ceil(2 * std::numbers::pi * 0.25 / edge_length / 6));
     std::vector<Point<double>> outline;
@@ -53,7 +53,7 @@ Tank unequal_drop(double edge_length) {
     return {{{0, 0}, {1, 1}}, {{outline, 1}}, options, fluids};
 }
 
-// A polygon of unequal edges is in balance nowhere; its vertices slide until they are equal.
+// A polygon of unequal edges is not in balance; its vertices slide until the edges are equal.
 TEST(FluidRest, UnequalEdgesBecomeEqualAndTheDropComesToRest) {
     Tank tank = unequal_drop(0.06);
     (void)tank.fluid.step(tank.simulation, 0.01);
@@ -67,7 +67,7 @@ TEST(FluidRest, UnequalEdgesBecomeEqualAndTheDropComesToRest) {
     EXPECT_NEAR(cubic_outline(tank.complex, 1).circularity(), 1, 1e-4);
 }
 
-// What moves in a void is no flow.
+// Velocities in a void are not counted as flow.
 TEST(FluidRest, AVoidHasNoSpeed) {
     Tank tank = fluid_scenes::static_drop(0.08, 25);
     FluidField field = tank.fluid.field();

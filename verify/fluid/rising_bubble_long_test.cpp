@@ -11,7 +11,8 @@
 namespace dsc::rising_bubble_long_test {
 namespace {
 
-// The largest value of a series with equal steps, on the parabola through three.
+// The maximum of a series with equal steps, by the parabola through the largest value and its
+// neighbours.
 double peak(const std::vector<double>& values) {
     const auto largest = std::max_element(values.begin() + 1, values.end() - 1);
     const double before = largest[-1];
@@ -20,8 +21,8 @@ double peak(const std::vector<double>& values) {
     return *largest - (before - after) / 4 * place;
 }
 
-// How far the three figures of the benchmark are from those that a series of ever finer runs of
-// this solver goes to: edges down to 0.01, steps in proportion.
+// The errors of the benchmark's three figures. The exact figures are extrapolated from runs of this
+// solver with edges down to 0.01 and steps in proportion.
 std::array<double, 3> errors_of(double edge_length) {
     fluid_scenes::Tank tank = fluid_scenes::rising_bubble(edge_length);
     const double dt = edge_length / 4;
@@ -36,8 +37,8 @@ std::array<double, 3> errors_of(double edge_length) {
             std::abs(cubic_outline(tank.complex, 1).centroid.y() - 1.08172)};
 }
 
-// Of order 1.8 and more in edges and steps, over two halvings: in a single one chance has its part,
-// since an edge is split here or there.
+// The order in edges and steps is at least 1.8 over two halvings. A single halving is too noisy,
+// because single edge splits change the result.
 TEST(FluidRisingBubbleLong, TheErrorsFallWithEdgesAndSteps) {
     const auto coarse = errors_of(0.08);
     const auto fine = errors_of(0.02);

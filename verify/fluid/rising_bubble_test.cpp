@@ -64,7 +64,8 @@ TEST(FluidRisingBubble, AreaIsKeptAndEnergyOnlyLost) {
     EXPECT_NEAR(phase_area(tank.complex, 1) / area, 1, 1e-12);
 }
 
-// Which thread looks up a velocity, assembles a triangle or eliminates a part changes nothing.
+// The result does not depend on which thread interpolates a velocity, assembles a triangle or
+// eliminates a part.
 TEST(FluidRisingBubble, TheSameForAnyNumberOfThreads) {
     Tank alone = rising_bubble(0.05, {.threads = 1});
     for (int step = 0; step < 5; ++step) {

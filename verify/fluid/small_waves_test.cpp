@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact heights of small waves against other ways to the same solution.
+// The exact heights of small waves, against independent computations of the same solution.
 #include "scenes/catalogue/small_waves.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,8 @@ TEST(SmallWaves, OnADeepLevelTheClosedForm) {
     EXPECT_NEAR(height(2.2), -0.000760934667807, 1e-9);
 }
 
-// Inverted by de Hoog's method in 25 digits, with Bessel functions of a library.
+// Reference values: Laplace transforms inverted by de Hoog's method in 25 digits, with a library's
+// Bessel functions.
 TEST(SmallWaves, OnADropAnotherInversion) {
     const auto height = wave_on_drop(
         {{.density = 1, .viscosity = 0.025}, {.density = 0.1, .viscosity = 0.0025}, 1}, 2, 1, 0.01);

@@ -24,7 +24,7 @@ using scenes::GrowingDiscs;
 
 namespace {
 
-constexpr double latest = 1.5; // by then, any front has crossed the square
+constexpr double latest = 1.5; // any front has crossed the square by then
 } // namespace
 
 Complex<double> first_complex(const GrowingDiscs& discs, double h) {

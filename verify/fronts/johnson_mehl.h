@@ -22,7 +22,7 @@ struct Case {
 
 struct Result {
     scenes::DiagramError last;
-    double time = 0; ///< at which the square was full
+    double time = 0; ///< time at which the square was full
     bool is_full = false;
     bool is_valid = false;
     std::map<std::string, int> events;

@@ -31,7 +31,7 @@ TEST(JohnsonMehl, TheWrongAreaOfDiscsThatHaveNotGrownIsWhatTheyWouldGain) {
 }
 
 TEST(JohnsonMehl, ASeamAcrossTheWholeSquareIsSeenAsItIs) {
-    // Two discs of one size to the left and right of a straight seam, and of one a little off.
+    // Two equal discs beside a straight seam, and beside a seam that is slightly displaced.
     const std::vector<Curve> curves{{{{0.51, 0}, {0.51, 1}}, 1, 2}};
     const auto complex = initial_complex<double>({}, curves, {.edge_length = 0.02});
     const double time = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the library has written and reads back: any bytes in its place end with a result or a
-// FileError. The bytes of a simulation that are read, however damaged, make a valid complex.
+// Reads arbitrary bytes as if the library had written them: reading ends with a result or a
+// FileError. Whenever damaged bytes of a simulation are accepted, the complex is valid.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
 #include "support/pointwise.h"
@@ -49,7 +49,7 @@ Velocity<double> steady_flow() {
     return test::pointwise([](const Point<double>& p) { return Point<double>(0.3, p.x() - 0.5); });
 }
 
-// The disc whose simulation is written to the corpus, and read back here.
+// The disc whose simulation's bytes are in the corpus, and are read back here.
 std::unique_ptr<Simulation<double>> small_simulation(Complex<double>& complex, bool in_cells) {
     Options<double> options;
     options.edge_length = 0.2;
@@ -74,7 +74,7 @@ const std::string& written_simulation(bool in_cells) {
     return in_cells ? of_cells : sequential;
 }
 
-// Four bytes of the decoder for each place that is changed.
+// Each change of the bytes takes four bytes of the decoder.
 std::string damaged(std::string bytes, Bytes& decoder) {
     while (!decoder.empty() && !bytes.empty()) {
         const std::size_t at = decoder.below(65536) % bytes.size();
@@ -107,7 +107,8 @@ void read_simulation(Bytes& decoder, bool in_cells) {
     expect(problem.empty(), "a step after an archive that was read: " + problem);
 }
 
-// Records that fit nothing are skipped; those that fit may well make a complex that is not valid.
+// Records that do not fit the complex are skipped; records that fit may still make an invalid
+// complex.
 void replay_edits(const std::vector<Edit>& edits) {
     if (std::ranges::find(edits, EditKind::rebuild, &Edit::kind) == edits.end()) {
         Complex<double> complex = test::disc_complex<double>(0.2);

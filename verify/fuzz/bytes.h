@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Decodes the bytes of a fuzzer to numbers. After the last byte all numbers are 0, so an input
-// means the same as a longer one that ends with zeros.
+// Decodes a fuzzer's bytes to numbers. After the last byte all numbers are 0, so an input means the
+// same as a longer one that ends with zeros.
 #pragma once
 
 #include <cstdint>

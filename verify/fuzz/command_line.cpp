@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Any arguments: the program ends with success, or with one sentence that says what is wrong. Its
-// only scene refuses to be prepared, so that nothing runs and nothing is written. An argument a
-// line.
+// Calls the program with arbitrary arguments: it ends with success, or with one sentence that says
+// what is wrong. Its only scene refuses to be prepared, so nothing runs and nothing is written. An
+// argument a line.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
 
@@ -17,7 +17,7 @@ namespace dsc::fuzz {
 
 namespace {
 
-// What is written to a stream while it lives.
+// Captures what is written to a stream during its lifetime.
 class Captured {
 public:
     explicit Captured(std::ostream& stream)
@@ -51,7 +51,7 @@ std::uint64_t run_command_line(std::span<const std::uint8_t> bytes) {
     std::vector<std::string> arguments{"program"};
     std::istringstream lines(Bytes(bytes).text());
     for (std::string line; std::getline(lines, line);) {
-        // A named file that exists could be a scene that runs for long.
+        // Files that exist are left out: they could be scenes that run for long.
         if (arguments.size() < 100 && line.find('/') == std::string::npos) {
             arguments.push_back(line.substr(0, line.find('\0')));
         }

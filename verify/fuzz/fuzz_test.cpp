@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The targets of the fuzzer in any build: each input of the corpus (what searches began with, and
-// what they found and has been mended), and inputs drawn from fixed seeds.
+// Runs the fuzz targets in any build: over the corpus (initial inputs, and findings that have been
+// fixed), and over inputs drawn from fixed seeds.
 #include "fuzz/target.h"
 #include "support/environment.h"
 
@@ -53,7 +53,7 @@ public:
         return all;
     }
 
-    /// Bytes, numbers and lines of an input changed, doubled, swapped or lost.
+    /// Changes, duplicates, swaps or drops bytes, numbers and lines of an input.
     std::string mutated(std::string text) {
         const std::size_t count = 1 + below(3);
         for (std::size_t i = 0; i < count && !text.empty(); ++i) {
@@ -79,7 +79,7 @@ private:
         return tokens[below(tokens.size())];
     }
 
-    // A digit becomes another one, or the whole number something else.
+    // Replaces a digit, or the whole number.
     void change_number(std::string& text) {
         static constexpr std::string_view digits = "0123456789.";
         const std::size_t begin = text.find_first_of(digits, below(text.size()));
@@ -94,7 +94,7 @@ private:
         }
     }
 
-    // A line is doubled somewhere else, or lost.
+    // Copies a line to another place, or drops it.
     void move_line(std::string& text) {
         const std::size_t at = text.rfind('\n', below(text.size()));
         const std::size_t begin = at == std::string::npos ? 0 : at;
@@ -128,8 +128,8 @@ TEST_P(Fuzz, HasNoFindingsInTheCorpus) {
     EXPECT_GT(operations, 0U) << "none of them does anything";
 }
 
-// Meshes and flows are drawn from any bytes; texts and files are nearly right ones, since others
-// are refused at their first byte.
+// Meshes and flows can be drawn from arbitrary bytes. Texts and files are valid ones with small
+// changes, because arbitrary bytes are refused at once.
 TEST_P(Fuzz, HasNoFindingsAtRandom) {
     const Target& target = GetParam();
     const bool is_drawn = target.name == "operations" || target.name == "steps";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A small complex, and any sequence of edits of an application: whatever is asked, each is done or
-// refused, and the complex is valid after it. Edits that the library does not promise to refuse (a
+// Makes an arbitrary sequence of an application's edits on a small complex: each edit is done or
+// refused, and leaves the complex valid. Edits that the library does not promise to refuse (a
 // vertex put anywhere, a triangle laid over others) are tried on a copy, which is kept if it is
-// valid. The log of all of them, replayed, gives the same complex.
+// valid. Replaying their log gives the same complex.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
 #include "support/random/complex.h"
@@ -101,7 +101,8 @@ public:
         expect(mesh_hash(again) == mesh_hash(complex_), "the log replayed gives another complex");
     }
 
-    // As the log of a failure is cut down: whatever is left out, replaying the rest ends.
+    // Replays a part of the log, as when the log of a failure is reduced: replay must end,
+    // whichever records are left out.
     void replay_parts(std::uint8_t pattern) const {
         std::vector<Edit> rest;
         for (std::size_t i = 0; i < complex_.journal.records.size(); ++i) {
@@ -115,7 +116,7 @@ public:
     }
 
 private:
-    // Handles may be dead, beyond the end, or not canonical.
+    // The handles drawn may be dead, beyond the end, or not canonical.
     Vertex vertex() { return Vertex{bytes_.below(complex_.vertex_bound() + 2)}; }
     Triangle triangle() { return Triangle{bytes_.below(complex_.triangle_bound() + 1)}; }
     Edge edge() {
@@ -126,7 +127,7 @@ private:
                                                                   : Edge{corner};
     }
 
-    // Somewhere near a triangle, a corner of it, or what is no place at all.
+    // A point near a triangle, one of its corners, or coordinates that are not finite or too large.
     Point<Real> place() {
         const std::uint8_t kind = bytes_.byte();
         if (kind >= 250) {
@@ -141,7 +142,7 @@ private:
             return Point<Real>::Zero();
         }
         const auto [a, b, c] = complex_.vertices_of(t);
-        // Sixteenths of the way along two edges, beyond them as well.
+        // Multiples of 1/16 along two edges, also beyond their ends.
         const Real s = static_cast<Real>(bytes_.below(33)) / 16 - Real(0.5);
         const Real r = static_cast<Real>(bytes_.below(33)) / 16 - Real(0.5);
         return complex_.position(a) + s * (complex_.position(b) - complex_.position(a)) +
@@ -177,7 +178,8 @@ private:
         }
     }
 
-    // It splits edges of the domain boundary too, at midpoints that may be rounded outwards.
+    // Loop subdivision also splits edges of the domain boundary, at midpoints that may be rounded
+    // outwards, so it works on a copy.
     void loop_subdivide() {
         const Triangle t = triangle();
         if (!is_full()) {
@@ -205,7 +207,7 @@ private:
         }
     }
 
-    // Those of triangles that the submesh does not own any vertex of.
+    // Counts the triangles of which the submesh owns no vertex.
     std::vector<Edge> edges_outside(const Region& region) const {
         std::vector<Edge> outside;
         for (const Triangle t : triangles(complex_)) {
@@ -251,7 +253,7 @@ private:
         }
     }
 
-    // What an edit refuses with an error it must leave as it was.
+    // An edit that throws must leave the complex unchanged.
     template <class Edit>
     void on_copy(Edit edit) {
         Complex<Real> copy = complex_;
@@ -265,7 +267,7 @@ private:
         if (validate(copy).ok()) {
             auto records = std::move(copy.journal.records);
             complex_ = std::move(copy);
-            complex_.journal.records = std::move(records); // the log of a complex stays with it
+            complex_.journal.records = std::move(records); // copying the complex keeps its log
         }
     }
 

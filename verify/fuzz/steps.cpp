@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A random scene for a few steps, by any strategy and with options from the lists of all values:
-// each step ends, with a valid complex and a list of exactly the interface's vertices; the log
-// gives the same complex when it is replayed; and the same is done, id by id, with three threads as
-// with one, or in one submesh as in none.
+// Runs a random scene for a few steps, with any strategy and random options: each step ends with a
+// valid complex and an exact list of interface vertices, replaying the log gives the same complex,
+// and three threads give the same ids as one, as one submesh does as none.
 #include "fuzz/steps.h"
 #include "fuzz/target.h"
 #include "support/random/options.h"
@@ -39,7 +38,7 @@ namespace {
 using test::Dice;
 
 constexpr int steps = 6;
-constexpr std::size_t enough_edits = 10'000; // torn flows make interfaces of any length
+constexpr std::size_t enough_edits = 10'000; // discontinuous flows make interfaces of any length
 
 template <class Real>
 Complex<Real> draw_complex(Dice& dice, double h) {
@@ -82,7 +81,7 @@ test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
     options.max_sub_steps = 20;
     test::draw_topology(dice, h, options.topology);
     if (dice.chance(0.2)) {
-        // Up to eight edges; where a phase is too small for it, the stage refuses.
+        // A large contact distance; if a phase is too small for it, the stage refuses.
         options.topology.contact *= static_cast<Real>(dice.in(2.0, 12.0));
     }
     if (dice.chance(0.2)) {
@@ -95,7 +94,7 @@ test::ChangingOptions<Real> draw_all_options(Dice& dice, double h) {
     return options;
 }
 
-// All is drawn before the number of threads is known: the same dice give the same division.
+// The division is drawn without using the number of threads: the same dice give the same division.
 template <class Real>
 std::unique_ptr<Executor<Real>> draw_executor(Dice dice, Complex<Real>& complex,
                                               const Options<Real>& options, std::uint32_t threads) {
@@ -121,7 +120,7 @@ Stepper<Real> stepper(Flow flow) {
     };
 }
 
-// A velocity by place, or one that sees the interface, or curvature.
+// A velocity by position, an InterfaceFlow, or curvature flow.
 template <class Real>
 Stepper<Real> draw_flow(Dice& dice, bool is_velocity) {
     const auto wildness =
@@ -151,14 +150,14 @@ void check(const Complex<Real>& complex, const Simulation<Real>& simulation,
     expect(problem.empty(), problem);
     expect(report.sub_steps <= static_cast<std::uint32_t>(options.max_sub_steps),
            "more sub-steps than allowed");
-    // Create and merge has a round of passes for each colour.
+    // Create and merge makes a round of passes for each colour.
     expect(is_copied ||
                report.passes <= report.sub_steps * static_cast<std::uint32_t>(options.max_passes),
            "more passes than allowed");
     expect(report.held <= report.unreached, "more vertices held than unreached");
 }
 
-// Numbers on all three kinds of simplices, set by place, so that no two are the same.
+// Attributes of all three kinds of simplices, with distinct values that depend on the position.
 template <class Real>
 class Data {
 public:
@@ -274,7 +273,7 @@ Outcome run(const Scene<Real>& scene, const MakeExecutor<Real>& make) {
     if (data) {
         outcome.data = data->values();
     }
-    // What create and merge did is in no log.
+    // Create and merge does not log its edits.
     if (std::ranges::find(outcome.edits, EditKind::rebuild, &Edit::kind) == outcome.edits.end()) {
         Complex<Real> again = scene.complex;
         expect(replay<Real>(again, outcome.edits).skipped == 0,
@@ -307,7 +306,7 @@ Steps run_scene(Dice& dice) {
         Complex<Real> copy = scene.complex;
         const test::ChangingSimulation<Real> simulation(copy, scene.options);
     } catch (const InputError&) {
-        return {}; // options that go together with no complex, or not with this one
+        return {}; // options that contradict each other, or do not fit this complex
     }
     const auto in_threads = [&](std::uint32_t threads) {
         return run<Real>(scene, [&](Complex<Real>& mesh, const Options<Real>& all) {

@@ -52,7 +52,7 @@ std::uint64_t run_command_line(std::span<const std::uint8_t> bytes);
 std::uint64_t run_archives(std::span<const std::uint8_t> bytes);
 
 struct Target {
-    std::string name; ///< also of its folder in the corpus
+    std::string name; ///< also the name of its folder in the corpus
     Run run;
 };
 

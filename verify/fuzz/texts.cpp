@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The texts that a scene is made of: each ends with what it describes, or with an error that says
-// in one line where it is wrong and what is allowed.
+// Reads arbitrary texts as scene files, outlines and formulas: each gives what it describes, or an
+// error of one line that says where it is wrong and what is allowed.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
 
@@ -16,7 +16,7 @@ namespace dsc::fuzz {
 
 namespace {
 
-// The complex is made of scenes up to this size, and a step is tried.
+// For scenes up to this size the complex is made and a step is run.
 constexpr double max_triangles = 2'000;
 constexpr std::size_t max_points = 1'000;
 
@@ -80,7 +80,7 @@ void run_steps_of(const scenes::Scene& scene, const scenes::Setup& setup) {
 std::uint64_t run_scene_file(std::span<const std::uint8_t> bytes) {
     const std::string text = Bytes(bytes).text();
     return end_or_explain([&] {
-        // Beside the examples, whose files a text may name.
+        // The path is in the folder of the examples, so that a text may name their files.
         const auto file = scenes::read_scene_text(text, DSC_EXAMPLES "/fuzzed.toml");
         const scenes::Setup setup = file.scene.prepare(file.scene.defaults);
         if (is_small(setup, file.scene.defaults.h)) {

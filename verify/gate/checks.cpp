@@ -15,8 +15,8 @@ using scenes::RunResult;
 
 // --- figures -------------------------------------------------------------------------------------
 
-// How far the change of the area differs from that of the exact shape; for flows without divergence
-// |A(t) / A(0) - 1|.
+// The error of the area's change relative to the exact change; for divergence-free flows |A(t) /
+// A(0) - 1|.
 double area_drift(const RunResult& r) {
     return std::abs(r.area_ratio / (number(r.last, "area_exact") / r.area_exact_first) - 1);
 }
@@ -43,7 +43,8 @@ double loss_of_quality(const RunResult& a, const RunResult& b) {
     return std::max(number(b.last, "min_quality") - number(a.last, "min_quality"), 0.0);
 }
 
-// Of the kinds that say how pieces are joined; how often a seam goes on depends on the order.
+// Counts only events that change how pieces are joined; the number of others, such as a seam that
+// goes on, depends on the order of the interface.
 double event_difference(const RunResult& a, const RunResult& b) {
     double sum = 0;
     for (const EventKind kind :
@@ -55,8 +56,8 @@ double event_difference(const RunResult& a, const RunResult& b) {
     return sum;
 }
 
-// Dividing the mesh makes no work: what a boundary keeps from being done for a while looks like a
-// fault of the mesh, and vertices that are made for it have to go again.
+// Submeshes must not cause additional work: if a split were left undone at a submesh boundary,
+// vertices would be made and removed again.
 double effort_ratio(const RunResult& a, const RunResult& b) {
     const auto splits_and_collapses = [](const RunResult& r) {
         return static_cast<double>(r.operations.at("splits") + r.operations.at("collapses"));
@@ -116,7 +117,7 @@ std::string unit_of(const std::string& figure) {
                                                        : "1";
 }
 
-// Of a figure by its name in result files, which says the rest.
+// The check of a figure by its name in result files, from which limit and comparison follow.
 Check of_figure(std::string name, std::string description, std::string group,
                 const std::string& figure) {
     return {.name = std::move(name),
@@ -174,7 +175,7 @@ Check of_lost(const char* name, const char* description, Of of, const char* unit
             .unit = unit};
 }
 
-// What of several runs is compared: see `Of`.
+// A check that compares several runs, as `of` says.
 Check of_runs(Of of, const char* name, const char* description, const char* group,
               std::function<double(const RunResult&, const RunResult&)> difference,
               std::vector<std::string> figures = {}) {
@@ -186,7 +187,7 @@ Check of_runs(Of of, const char* name, const char* description, const char* grou
             .figures = std::move(figures)};
 }
 
-// The limit is a lower one.
+// Makes the limit of a check a lower one.
 Check at_least(Check check, Of of = Of::sequential) {
     check.at_least = true;
     check.of = of;

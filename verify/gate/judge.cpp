@@ -41,7 +41,7 @@ std::vector<Task> tasks_of(const Cases& cases, const std::vector<std::string>& o
                           .value = only.empty() ? "" : only.front(),
                           .allowed = "checks for which a case has a limit"});
     }
-    // Those of scene files are in no table.
+    // Checks of scene files come first; they are not in the table of checks.
     std::ranges::stable_sort(tasks, {}, [](const Task& task) {
         const auto place = std::ranges::find(all_checks(), task.held->check);
         return place == all_checks().end() ? -1 : place - all_checks().begin();

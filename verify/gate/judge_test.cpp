@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The gate's judgement on measurements that are known: what must fail fails. And its suites: what
-// they hold, and what is refused in one.
+// The gate's judgement of known measurements, some of which must fail; and its suites: their
+// limits, and the errors of bad ones.
 #include "judge.h"
 #include "update.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What a check measured, and whether it is to pass.
+/// A measured figure, and whether it must pass.
 struct Known {
     double measured = 0;
     Limit limit{.value = 1};
@@ -100,7 +100,8 @@ TEST(Checks, TakeTheWorstOfTheParallelRuns) {
     EXPECT_EQ(measure(*find_check("parallel_min_quality"), all).value, 0.9);
 }
 
-// Without this, `mesh_hash` would compare one thread with one thread.
+// In runs that compare threads, every thread gets a share of the work; otherwise `mesh_hash` would
+// compare one thread with one thread.
 TEST(Checks, CompareRunsOfWhichThreadsHaveShares) {
     Case c = case_of_scene("swirl");
     c.parameters.h = 0.0125;
@@ -126,7 +127,7 @@ Cases ours() {
     return all;
 }
 
-// So that no limit gets lost: how many scenes each check has a limit for.
+// The number of limits of each check is fixed here, so that none gets lost.
 TEST(Suites, HoldEveryScene) {
     const std::string expected =
         "accuracy 17; accuracy_angle 10; accuracy_area 2; accuracy_half 16; accuracy_jagged 5; "
@@ -147,8 +148,8 @@ TEST(Suites, HoldEveryScene) {
     for (const auto& c : ours()) {
         for (const Held& held : c->held) {
             ++found[held.check->name];
-            // A limit that is no count says what was measured and how it follows from that; or it
-            // is of an exact solution, or beside a published figure.
+            // A limit other than a count must state the measurement and the rule from which it
+            // follows, unless it belongs to an exact solution or a published figure.
             EXPECT_TRUE(held.limit.measured || held.limit.value == 0 || held.limit.value == 1 ||
                         held.check->group == "fluid")
                 << held.limit.where;
@@ -171,7 +172,7 @@ TEST(Suites, HoldEveryScene) {
 
 const std::string head = "[[case]]\nscene = \"swirl\"\n";
 
-// What is wrong with this text of a suite.
+// The error message for this text of a suite.
 std::string problem(const std::string& text) {
     try {
         (void)read_suite_text(text, "mine.toml");

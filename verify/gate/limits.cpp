@@ -22,8 +22,8 @@ constexpr scenes::Bounds any{-1e300, 1e300};
 
 const std::array<Rule, 6>& rules() {
     static const std::array<Rule, 6> all{{
-        {"required", 1.02, 3}, // met by a wide margin, but not by any
-        {"kept", 1.02, 1.9},   // from a measurement that was better
+        {"required", 1.02, 3}, // met by a wide margin, but not by any margin
+        {"kept", 1.02, 1.9},   // kept from an earlier, better measurement
         {"half as much again", 1.4, 1.9, 1.5},
         {"a tenth above", 1.05, 1.2, 1.1},
         {"a tenth below", 0.8, 0.95, 0.9},
@@ -32,7 +32,7 @@ const std::array<Rule, 6>& rules() {
     return all;
 }
 
-// A limit that was loosened, or that a measurement nearly touches, is noticed without a run.
+// Finds limits that were loosened, or that the stored measurement nearly reaches, without a run.
 void check_rule(const TableReader& limits, const Check& check, const Limit& limit) {
     const double measured = limit.measured.value();
     if (std::abs(measured) <= rounding_error) {

@@ -32,7 +32,7 @@ struct Limit {
     std::string note{};
     std::string at{};    ///< commit, day, machine and compiler of the measurement
     std::string where{}; ///< file, line and key
-    bool is_own = true;  ///< of the case itself, not of all cases of a suite
+    bool is_own = true;  ///< the limit belongs to the case itself, not to all cases of the suite
 
     /// The origin of the value, in words.
     [[nodiscard]] std::string reason() const;

@@ -35,14 +35,14 @@ struct Arguments {
     int jobs = 1;
 };
 
-/// What a command line asks for.
+/// The cases and checks that a command line chooses.
 struct Chosen {
     Cases cases;
     std::vector<std::string> suites; ///< and scene files
     std::vector<std::string> only;
 };
 
-// They are installed beside this program, and a build has a link to them there.
+// The suites are installed beside this program, and a build tree has a link to them there.
 std::vector<std::string> our_suites() {
     std::error_code error;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -63,7 +63,7 @@ std::vector<std::string> our_suites() {
     return paths;
 }
 
-// A scene file, held to what a suite says of a scene of its name.
+// The case of a scene file, with the limits that a suite gives to a scene of this name.
 Cases cases_of(const std::string& path, const std::string& suite) {
     const Case own = case_of_scene(path);
     Cases cases;
@@ -113,7 +113,7 @@ Cases read_cases(const std::vector<std::string>& paths,
     return cases;
 }
 
-// Suites and scene files are read; what else is named chooses among their cases and checks.
+// Reads the suites and scene files named; all other names choose among their cases and checks.
 Chosen choose(const Arguments& arguments) {
     Chosen chosen{.cases = {}, .suites = {}, .only = arguments.only};
     std::vector<std::string> names;
@@ -156,7 +156,7 @@ int list_checks() {
     return 0;
 }
 
-// Where a limit is broken, for as many as anybody will look at.
+// Finds the places of broken limits, for the first few failures.
 void find_places(std::vector<Row>& rows, const Runs& runs, const std::filesystem::path& folder) {
     constexpr int max_places = 20;
     int places = 0;
@@ -166,7 +166,7 @@ void find_places(std::vector<Row>& rows, const Runs& runs, const std::filesystem
         }
         try {
             row.place = find_place(row, runs, folder);
-        } catch (const std::exception& error) { // the row has failed in any case
+        } catch (const std::exception& error) { // the row counts as failed anyway
             row.place.what = std::string("not found: ") + error.what();
         }
     }
@@ -176,7 +176,7 @@ int run(const Arguments& arguments) {
     const Chosen chosen = choose(arguments);
     const std::vector<Task> tasks = tasks_of(chosen.cases, chosen.only);
     const std::filesystem::path folder(arguments.out);
-    std::error_code ignored; // what cannot be written is refused
+    std::error_code ignored; // fails before the runs if the file cannot be written
     std::filesystem::create_directories(folder, ignored);
     std::vector<dsc::scenes::NamedFile> inputs;
     for (const std::string& suite : chosen.suites) {
@@ -212,19 +212,19 @@ int run(const Arguments& arguments) {
 struct Proposal {
     std::string what;
     std::string out;
-    int orders = 51; ///< that of the scene and fifty others
+    int orders = 51; ///< the scene's own order and fifty shuffled ones
     int jobs = 1;
     bool update = false;
 };
 
-// The text into which limits go: that of the suite, or of a new one about the scene.
+// The text into which limits are written: that of the suite, or of a new suite with the scene.
 std::string text_of(const Proposal& proposal, bool is_of_suite) {
     if (is_of_suite) {
         return dsc::scenes::read_text_file(proposal.what);
     }
     (void)case_of_scene(proposal.what);
     std::string scene = proposal.what;
-    if (dsc::scenes::is_scene_file(scene)) { // whose path begins at the suite
+    if (dsc::scenes::is_scene_file(scene)) { // its path is relative to the suite
         const auto folder = std::filesystem::path(proposal.out).parent_path() / ".";
         scene = "./" + std::filesystem::relative(scene, folder).string();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which runs a check needs, and what is measured of them.
+// The runs that a check needs, and the figures computed from them.
 #include "checks.h"
 
 #include <cmath>
@@ -14,12 +14,13 @@ namespace {
 using scenes::RunResult;
 using scenes::Strategy;
 
-// Any number of threads gives the same result, as `mesh_hash` checks: two stand for all of them.
+// Two threads stand for any number of them, because `mesh_hash` checks that results do not depend
+// on it.
 const std::vector<std::uint32_t> two_threads{2};
 const std::vector<std::uint32_t> many_threads{1, 2, 3, 5};
 
-// The worst of what a function says of each run after the first `skipped`; what is no number is
-// worse than any.
+// The worst value of a function over the runs after the first `skipped`; NaN is worse than any
+// number.
 template <class Value>
 Measured worst(std::span<const Outcome* const> outcomes, std::size_t skipped, bool at_least,
                Value value) {
@@ -63,8 +64,8 @@ Measured distinct_results(std::span<const Outcome* const> outcomes) {
     return most;
 }
 
-// From one start to another either method ends with another mesh: the mean says what they differ
-// by.
+// The meshes at the end depend on the start, for either method: the methods are compared by the
+// mean over the starts.
 Measured mean_difference(const Check& check, std::span<const Outcome* const> outcomes) {
     double sum = 0;
     for (std::size_t i = 0; i < outcomes.size(); i += 2) {

@@ -22,7 +22,7 @@ namespace {
 
 using Mesh = Complex<double>;
 
-constexpr double edges_around = 8; ///< of the place, in the picture, on either side
+constexpr double edges_around = 8; ///< half the width of the picture, in edge lengths
 
 struct Spot {
     std::string what;
@@ -36,7 +36,7 @@ Point<double> centre_of(const Mesh& mesh, Triangle t) {
 
 // --- the culprits -------------------------------------------------------------------------------
 
-// The triangle of the least value.
+// The triangle with the smallest value.
 template <class Value>
 std::optional<Spot> min_triangle(const Mesh& mesh, const std::string& what, const std::string& unit,
                                  Value value) {
@@ -64,7 +64,7 @@ std::optional<Spot> inverted_triangle(const Mesh& mesh) {
     return std::nullopt;
 }
 
-// Against the exact shape at this time, if it is known.
+// The point farthest from the exact shape at this time, if that shape is known.
 std::optional<Spot> against_exact(const Mesh& mesh, Culprit culprit, const scenes::Setup& setup,
                                   const scenes::Parameters& parameters, double time) {
     if (!setup.exact) {
@@ -111,7 +111,7 @@ std::string file_name(const Row& row) {
     return std::regex_replace(row.check->name + '_' + row.of->name, std::regex("[^\\w.-]"), "-");
 }
 
-// The run on the command line, with the settings that are not those of the scene.
+// The command line of the run, with all settings that differ from the scene's defaults.
 std::string command_of(const Configuration& run) {
     const scenes::Scene& scene = run.of->file.scene;
     std::string command = "dsc_scene run " + (run.of->path.empty() ? scene.name : run.of->path);
@@ -164,7 +164,7 @@ Place find_place(const Row& row, const Runs& runs, const std::filesystem::path& 
         }
         const double time = step * setup.dt;
         std::optional<Spot> spot = find_spot(mesh, culprit, setup, run.parameters, time);
-        if (!spot && step == end) { // nothing of that kind: the worst triangle is worth a look
+        if (!spot && step == end) { // no culprit of that kind: show the worst triangle
             spot = find_spot(mesh, Culprit::worst_triangle, setup, run.parameters, time);
         }
         if (spot) {

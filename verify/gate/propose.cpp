@@ -15,7 +15,7 @@ namespace dsc::gate {
 
 namespace {
 
-// Of a scene about which nothing is known yet.
+// Checks of a scene that has no limits yet.
 constexpr std::string_view of_any_scene[]{"area_ratio",         "symmetric_difference",
                                           "inverted",           "symmetric_difference_half",
                                           "unreached",          "min_quality",
@@ -35,14 +35,14 @@ std::string here_and_now() {
            scenes::compiler();
 }
 
-// To two digits, away from what was measured.
+// Rounds a limit to two digits, away from the measurement.
 double rounded(double value, bool up) {
     if (value == 0) {
         return 0;
     }
     const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 1);
     const double steps = value / unit;
-    // Those that are two digits already stay.
+    // A limit that has two digits already stays.
     const double whole = std::abs(steps - std::round(steps)) < 1e-9
                              ? std::round(steps)
                              : (up ? std::ceil(steps) : std::floor(steps));
@@ -53,8 +53,8 @@ bool is_count(const Check& check) {
     return check.unit == "triangles" || check.unit == "vertices" || check.group == "events";
 }
 
-// What sequential runs in other orders say about the check: parallel runs are held to what these
-// do.
+// Whether the check is measured by sequential runs in shuffled orders; parallel runs are held to
+// the spread of these.
 bool is_of_orders(const Check& check) {
     return check.of != Of::all_parallel && check.of != Of::threads && check.of != Of::reference;
 }
@@ -70,7 +70,7 @@ Limit new_limit(const Check& check, int orders) {
 
 std::vector<Held> wanted(const Case& of, int orders) {
     std::vector<Held> all;
-    // A limit of which nobody has said how it follows from a measurement is left alone.
+    // Limits without a measurement and a rule are not changed.
     std::ranges::copy_if(of.held, std::back_inserter(all), [](const Held& held) {
         return held.limit.is_own && (held.limit.measured || find_rule(held.limit.rule).factor != 1);
     });
@@ -93,7 +93,7 @@ std::vector<Held> wanted(const Case& of, int orders) {
     return all;
 }
 
-// The first run is what others are compared with, where they are.
+// The runs in all orders. Comparisons are made with the first one.
 std::vector<Configuration> in_orders(const Held& held, const Case& of) {
     if (held.limit.orders == 0) {
         return configurations_of(*held.check, of);
@@ -165,7 +165,7 @@ Band band_of(const Case& of, const Held& held, std::vector<double> values) {
     return band;
 }
 
-// Nothing to compare in a scene in which nothing happens.
+// Whether the check compares events, and the scene has none.
 bool is_of_no_event(const Held& held, const std::vector<const Outcome*>& outcomes) {
     return held.check->group == "events" && held.limit.where.empty() &&
            std::ranges::all_of(outcomes,

@@ -53,7 +53,7 @@ std::string where_text(const Place& place) {
                     : place.what;
 }
 
-// A line for each thing that is known.
+// A line for each known fact of the failure.
 std::string failure_lines(const Row& row) {
     std::string text = "  measured  " + measured_text(row) + ' ' + row.check->unit + " (" +
                        row.check->description + ")\n  limit     " + limit_text(row) + ": " +
@@ -157,13 +157,14 @@ std::string to_json(const std::vector<Row>& rows, const std::vector<std::string>
                 {{"check", check->name}, {"description", check->description}, {"scenes", names}});
         }
     }
-    // Two runs of one scene are comparable only over the same bins, so each size is a scene.
+    // Histograms are comparable only with the same bins, so each edge length counts as a scene of
+    // its own.
     OrderedJson histograms = OrderedJson::array();
     for (const auto& [key, outcome] : runs.all()) {
         const Configuration& run = outcome.configuration;
         const bool is_other_start = run.of->starts > 1 && run.parameters.h != run.of->parameters.h;
         if (run.is_shared || is_other_start || outcome.error || run.of->space) {
-            continue; // shared: of the first steps alone, to the same bits by all threads
+            continue; // shared runs make only the first steps, with the same result by all threads
         }
         const bool is_other_size = run.parameters.h != run.of->file.scene.defaults.h;
         const std::pair<const char*, const Histogram*> quantities[]{

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int shared_steps = 40; ///< enough to show whether threads change the result
 
-// The figures of a run in three dimensions, under their names in result files.
+// Runs a scene in three dimensions; the figures have their names in result files.
 scenes::RunResult run_in_space(const Configuration& what) {
     const scenes::space::RunResult run =
         scenes::space::run_scene(*what.of->space, what.parameters, {});

@@ -32,11 +32,11 @@ struct Case {
     std::string name; ///< of its rows
     scenes::SceneFile file;
     std::string path{}; ///< of the scene file; empty: a scene of the catalogue
-    /// The scene in three dimensions; `file` then has only its name, keys and parameters.
+    /// Set for a scene in three dimensions; `file` then has only its name, keys and parameters.
     std::shared_ptr<const scenes::space::Scene> space{};
     scenes::Parameters parameters{};
     std::vector<scenes::Strategy> strategies{}; ///< parallel ones, which are compared
-    std::vector<std::uint32_t> threads{};       ///< of these; empty: chosen by each check
+    std::vector<std::uint32_t> threads{};       ///< numbers of threads; empty: chosen by each check
     int starts = 1; ///< for comparing library and reference: edge lengths differ by 0.2 % each
     std::vector<Held> held{};
     std::vector<std::string> missing{}; ///< required checks of the suite that the case lacks

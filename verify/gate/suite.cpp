@@ -22,7 +22,7 @@ using scenes::CaseSize;
 using scenes::Strategy;
 using scenes::TableReader;
 
-// A file that cannot be read is bad usage.
+// Turns a FileError into an InputError: a suite that cannot be read is bad usage.
 template <class Read>
 auto readable(const std::string& path, Read read) {
     try {
@@ -39,7 +39,7 @@ std::string read_text(const std::string& path) {
     return readable(path, [&] { return scenes::read_text_file(path); });
 }
 
-/// What holds for all cases of a suite.
+/// The entries that hold for all cases of a suite.
 struct Common {
     std::optional<TableReader> limits;
     std::optional<TableReader> defaults;
@@ -104,7 +104,7 @@ void read_strategies(const CaseReader& reader, Case& c) {
         for (const std::string& name : texts(reader, "strategies")) {
             const Strategy strategy = at_key(reader.of("strategies"), "strategies",
                                              [&] { return scenes::parse_strategy(name); });
-            if (scenes::is_parallel(strategy)) { // the others are compared with in any case
+            if (scenes::is_parallel(strategy)) { // other strategies serve for comparison anyway
                 c.strategies.push_back(strategy);
             }
         }
@@ -116,7 +116,7 @@ void read_strategies(const CaseReader& reader, Case& c) {
     }
 }
 
-// A scene in three dimensions, held to nothing yet.
+// The case of a scene in three dimensions, still without limits.
 Case case_in_space(const scenes::space::SceneFile& file, const std::string& path) {
     Case c{.name = file.scene.name, .file = {}};
     c.space = std::make_shared<const scenes::space::Scene>(file.scene);
@@ -129,7 +129,7 @@ Case case_in_space(const scenes::space::SceneFile& file, const std::string& path
     return c;
 }
 
-// What dsc_scene would refuse, before the first of many runs.
+// Refuses parameters that dsc_scene would refuse, before any run starts.
 void check_usage(const CaseReader& reader, const Case& c) {
     if (c.space) {
         at_key(reader.of("scene"), "scene", [&] { (void)c.space->prepare(c.parameters); });
@@ -146,7 +146,7 @@ void check_usage(const CaseReader& reader, const Case& c) {
     });
 }
 
-// `table` is the number of the [[case]] among all, unless it has rows.
+// `table` is the index of the [[case]], if the case is its only one.
 void read_rows(const CaseReader& reader, const Common& common, std::optional<std::size_t> table,
                Cases& cases) {
     const std::vector<std::string> scenes = texts(reader, "scene");

@@ -10,14 +10,15 @@ namespace dsc::gate {
 
 namespace {
 
-/// Text that takes the place of what lies between two places.
+/// A text that replaces the characters from `begin` to `end`.
 struct Edit {
     std::size_t begin = 0;
     std::size_t end = 0;
     std::string text;
 };
 
-// The parser counts lines and columns from 1, and the latter by characters, of several bytes each.
+// The offset of a position of the parser, which counts lines and columns from 1, and columns in
+// characters of one or several bytes.
 std::size_t byte_at(const std::string& text, const toml::source_position& place) {
     std::size_t byte = 0;
     for (toml::source_index line = 1; line < place.line; ++line) {
@@ -31,7 +32,7 @@ std::size_t byte_at(const std::string& text, const toml::source_position& place)
     return byte;
 }
 
-// `known` says what need not be repeated, since the suite says it of the check.
+// Entries that equal those of `known`, the suite's defaults of the check, are left out.
 std::string limit_text(const Band& band, const toml::table* known) {
     const Limit& limit = band.limit;
     if (!limit.measured) {
@@ -63,8 +64,8 @@ std::string limit_text(const Band& band, const toml::table* known) {
     return text.str();
 }
 
-// A limit that is there is changed. Another one follows the head of the table of limits; without
-// one, it becomes a key behind the scene.
+// Replaces an existing limit. A new one is inserted after the head of the table of limits, or,
+// without such a table, as a key after the scene.
 Edit edit_of(const std::string& text, const toml::table& suite, const Band& band) {
     const toml::node& whole = *suite.get("case");
     const toml::table& c =
@@ -103,7 +104,7 @@ std::string with_limits(const std::string& text, const std::filesystem::path& pa
         }
         edits.push_back(edit_of(result, suite, band));
     }
-    // From the end on, so that places before it stay what they are.
+    // Edits are applied from the end backwards, so that earlier offsets stay valid.
     std::ranges::stable_sort(edits, {}, &Edit::begin);
     for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
         result.replace(edit->begin, edit->end - edit->begin, edit->text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curvature flow by a solve: circles, areas that are kept, and what stays.
+// Curvature flow by implicit steps: circles, constant areas, and interfaces that stay.
 #include "support/simulation_testing.h"
 
 #include "geometric_flows/curvature_flow.h"
@@ -20,8 +20,8 @@ using test::options_for;
 
 // --- circles: r^2 = r0^2 - 2 t times the multiplier ---------------------------------------------
 
-// The relative error of the radius, by area, where the area should be half of the first; the
-// fastest vertex goes `step` edge lengths in a step.
+// The relative error of the radius (from the area) at the time when the area should be half of the
+// first; the fastest vertex moves by `step` edge lengths in a step.
 double error_of_circle(double h, double step, const CurvatureFlowOptions& flow, double factor) {
     constexpr double radius = 0.3;
     auto complex = disc_complex<double>(h, {0.5, 0.5}, radius);
@@ -53,8 +53,8 @@ TEST(CurvatureFlow, TakesTheMultipliersOfThePair) {
     EXPECT_NEAR(error_of_circle(0.03, 0.25, own, 2), plain, 1e-9);
 }
 
-// The small disc is gone within a step or at its end; in some runs, edges of nearly no length are
-// left of it for the next one.
+// The small disc vanishes within a step or at its end; in some runs edges of nearly zero length
+// remain for the next step.
 TEST(CurvatureFlow, APieceThatVanishesHoldsNoOtherOne) {
     constexpr double h = 0.04;
     for (const double radius : {0.09, 0.095, 0.1, 0.105}) {
@@ -80,7 +80,7 @@ TEST(CurvatureFlow, APieceThatVanishesHoldsNoOtherOne) {
 
 // --- areas that are kept ------------------------------------------------------------------------
 
-// An ellipse becomes the circle of its area.
+// An ellipse becomes the circle of equal area.
 TEST(CurvatureFlow, KeepsTheAreaOfAPhaseToRounding) {
     constexpr double h = 0.02;
     std::vector<Point<double>> ellipse = test::circle_points({0, 0}, 1, 90);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The orders of curvature flow in dt and in h where curves end: at triple junctions, at walls and
-// at contact angles. The area that a curve sweeps in a time is the angle by which it turns: known
-// at all times where its ends keep their angles.
+// at contact angles. The area that a curve sweeps per unit of time is the angle by which its
+// direction changes from end to end, which is known as long as the ends keep their angles.
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
@@ -21,14 +21,14 @@ using std::numbers::pi;
 using test::expect_sound;
 using test::options_for;
 
-/// A shape whose ends have their angles from the start, and what belongs to it.
+/// A shape whose ends have their equilibrium angles from the start, with its exact rate of area.
 struct Bounded {
     Complex<double> complex;
     CurvatureFlowOptions flow;
     double rate; ///< of the area of phase 1
 };
 
-// From one end to the other, above the middle, if `side` is 1.
+// An arc from one end to the other; above the chord if `side` is 1.
 Curve arc_between(const Point<double>& middle, double half_width, double angle, int edges,
                   double side, Phase left, Phase right) {
     Curve curve{{}, left, right};
@@ -44,8 +44,8 @@ Curve arc_between(const Point<double>& middle, double half_width, double angle, 
     return curve;
 }
 
-// Two arcs in a straight line: phase 1 between phases 2 and 3, whose tension is given and that of
-// the arcs is 1.
+// A lens of phase 1, bounded by two arcs, on the straight interface of phases 2 and 3, whose
+// tension is given; that of the arcs is 1.
 Bounded lens(double tension, double h) {
     const double angle = std::acos(tension / 2);
     const Point<double> middle(0.5, 0.5);
@@ -61,7 +61,7 @@ Bounded lens(double tension, double h) {
             -4 * angle};
 }
 
-// Part of a disc on the floor, which meets it at an angle.
+// A cap of a disc on the floor, which it meets at the given angle.
 Bounded cap(double degrees, double h) {
     const double angle = degrees * pi / 180;
     constexpr double radius = 0.25;
@@ -73,7 +73,7 @@ Bounded cap(double degrees, double h) {
             -2 * angle};
 }
 
-/// The interface alone: its vertices move, and are never split or merged.
+/// Only the interface moves: no edge of it is split or collapsed.
 class Curves {
 public:
     explicit Curves(const Bounded& shape)
@@ -86,7 +86,7 @@ public:
         test::build(graph_, complex_, list);
     }
 
-    // The relative error of the rate at which the area changes.
+    // The relative error of the rate of change of the area.
     double run(double duration, int steps) {
         const double before = area();
         std::vector<Point<double>> ways(positions.size());
@@ -124,14 +124,14 @@ private:
     InterfaceGraph<double> graph_;
 };
 
-/// Of the same curves, with one number of steps, twice and four times as many.
+/// Errors for the same curves with n, 2 n and 4 n steps.
 struct InTime {
-    double error;  ///< of the rate, with the fewest
+    double error;  ///< error of the rate, with the fewest steps
     double finest; ///< the same with the most
-    double order;  ///< by the largest distance between vertices
+    double order;  ///< order of convergence, by the largest distance between vertices
 };
 
-// Starts from curves that have become smooth at their ends.
+// The runs start from curves that have already become smooth at their ends.
 InTime in_time(const Bounded& shape, double duration, int steps) {
     Curves curves(shape);
     (void)curves.run(5e-4, 200);
@@ -157,7 +157,7 @@ TEST(CurvatureOrder, IsThreeHalvesInTimeAtJunctions) {
     struct Case {
         double tension;
         double most;   ///< of the error
-        double finest; ///< of that with shorter steps: what remains is due to h
+        double finest; ///< error with shorter steps: the rest is due to h
     };
     for (const auto& [tension, most, finest] : {Case{1, 4e-4, 2e-4}, Case{1.6, 2e-3, 4e-4}}) {
         SCOPED_TRACE(tension);

@@ -16,7 +16,7 @@
 namespace dsc::curve_solver_test {
 namespace {
 
-// Vertices of no place in particular: the solver asks for edges and junctions alone.
+// Vertices at arbitrary positions: the solver uses only edges and junctions.
 class Network {
 public:
     std::uint32_t vertex(bool is_junction) {
@@ -41,9 +41,9 @@ public:
     std::mt19937 lot;
 };
 
-// Curves between junctions, side by side, back to where they began and without a vertex between;
-// closed ones down to two vertices; and a vertex without edges. In some networks the curves are so
-// long that there are several shares.
+// Curves between junctions: several between the same two, loops, and some without inner vertices;
+// closed curves down to two vertices; and a vertex without edges. In some networks the curves are
+// so long that they are divided into several shares.
 CurveNetwork draw(unsigned seed) {
     Network made;
     made.lot.seed(seed);
@@ -75,7 +75,7 @@ CurveNetwork draw(unsigned seed) {
 
 using Column = Vector2;
 
-// What the rows of the whole matrix give.
+// The product of the full matrix with a vector, row by row.
 std::vector<Column> product(const CurveNetwork& network, const std::vector<Block>& diagonal,
                             const std::vector<Block>& coupling,
                             const std::vector<Column>& columns) {
@@ -105,7 +105,7 @@ void solve(CurveSolver& solver, const CurveGraph& graph, const std::vector<Block
     solver.finish(columns, in_shares, rows);
 }
 
-// Pressures that push every vertex somewhere.
+// Pressures that act on all vertices in arbitrary directions.
 struct Pushes {
     std::vector<CurvePush> of_curves;
     std::vector<Column> columns;
@@ -128,7 +128,7 @@ struct Pushes {
             }
         }
     }
-    // Calls `visit(pressure, sign, vertex, push)` for all that pressures push.
+    // Calls `visit(pressure, sign, vertex, push)` for each vertex that a pressure acts on.
     template <class Visit>
     void for_each(const CurveGraph& graph, const Visit& visit) const {
         for (std::size_t c = 0; c < of_curves.size(); ++c) {
@@ -151,7 +151,7 @@ struct Pushes {
 };
 
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
-    CurveGraph graph; // of one network after the other
+    CurveGraph graph; // the solver is reused for one network after the other
     CurveSolver solver;
     std::size_t max_shares = 0;
     const InShares backwards = [&](std::size_t shares, const auto& task) {
@@ -179,7 +179,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
         }
         graph.begin(network);
         solver.begin(graph);
-        for (int round = 0; round < 2; ++round) { // the second one has what the first has left
+        for (int round = 0; round < 2; ++round) { // the second reuses arrays
             std::vector<Column> columns;
             for (std::size_t v = 0; v < n; ++v) {
                 columns.push_back({number(lot), number(lot)});
@@ -191,7 +191,7 @@ TEST(CurveSolver, SolvesNetworksOfEveryShape) {
                 EXPECT_LT(norm(found[v] - wanted[v]), 1e-10)
                     << "seed " << seed << ", vertex " << v << " of " << n;
             }
-            // What three pressures do, found from the areas that they give.
+            // Three unknown pressures are recovered from the areas that they produce.
             Pushes pushes(graph, 3, lot);
             const std::array<double, 3> given{number(lot), number(lot), number(lot)};
             std::vector<Column> pushed = wanted;
@@ -241,7 +241,7 @@ TEST(CurveSolver, HoldsAClosedCurveWithoutASolutionAlone) {
     }
 }
 
-// Closed curves, enough for several shares, whose areas are not yet what they are to be.
+// Closed curves, enough for several shares, whose areas differ from the required ones.
 TEST(AreaKeeper, ShiftsToTheSameBitsInAnyOrderOfShares) {
     constexpr std::uint32_t discs = 8;
     constexpr std::uint32_t sides = 150;

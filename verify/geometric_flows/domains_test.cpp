@@ -25,7 +25,7 @@ scenes::Outline circle(double radius, double edge_length) {
 struct Case {
     const char* name;
     Polygon domain;
-    double kept;      // share of the area of the domain that may change
+    double kept;      // allowed change of an area, relative to the domain's
     double min_angle; // degrees, at the end of every step
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Growth along the normal: speeds by pairs of phases, by place and time; junctions and sides; what
-// is refused; what fails.
+// Growth along the normal: speeds by pairs of phases, by position and time; junctions and sides of
+// the domain; refusals and failures.
 #include "support/refusal.h"
 #include "support/topology/growth_testing.h"
 
@@ -23,8 +23,8 @@ using test::Outline;
 
 const Outline small_square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
 
-// A grid over the unit square, sheared by `slant` to the right, whose lines are interfaces where
-// the phases of the squares (by their lower left corner, before shearing) say so.
+// A grid over the unit square, sheared by `slant` to the right. The phase of a square is given by
+// its lower left corner before shearing; grid lines between different phases are interfaces.
 template <class PhaseAt>
 Complex<double> grid(int n, double slant, PhaseAt phase_at) {
     std::vector<Point<double>> points;
@@ -49,7 +49,7 @@ Complex<double> grid(int n, double slant, PhaseAt phase_at) {
 }
 
 TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
-    // A straight front at a speed of x: x = 0.3 exp(t).
+    // A straight front whose speed is its position x: x = 0.3 exp(t).
     auto complex = grid(50, 0, [](int i, int) { return Phase{i < 15}; });
     GrowingShape growing(complex, 0.02,
                          {.speeds = {{1, 0, 1.0}},

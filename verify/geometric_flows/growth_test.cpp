@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal against exact shapes: corners that open, notches that stay sharp, and
-// both when the flow turns round.
+// both when the flow reverses.
 #include "support/topology/growth_testing.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ const Outline star = scenes::star({0.5, 0.5}, 0.3, 0.15, 5, 1);
 
 constexpr std::array<double, 3> sizes{0.02, 0.01, 0.005};
 
-// The errors at the three sizes; expects the order, from the first to the last.
+// The errors at three edge lengths; expects the order between the first and the last.
 template <class ErrorAt>
 std::array<double, 3> expect_order(double order, ErrorAt error_at) {
     std::array<double, 3> errors{};
@@ -84,7 +84,7 @@ TEST(Growth, AFanShrinksWhereTheFlowTurnsRound) {
 
 TEST(Growth, AFanClosesIntoTheCornerThatItCameFrom) {
     for (const double h : sizes) {
-        // Straight sheets and one corner: there is nothing to be wrong.
+        // For straight sheets and one corner the result is exact.
         EXPECT_LT(error_of(square, h, 0.1, 0.1), 1e-6) << h;
         EXPECT_LT(error_of(square, h, 0.1, 0.15), 1e-6) << h;
     }
@@ -121,7 +121,7 @@ double distance_to_ellipse(const Point<double>& p) {
 TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
     for (const double distance : {0.1, -0.05}) {
         const auto errors = expect_order(3.5, [=](double h) {
-            Outline ellipse; // with edges shorter than h everywhere
+            Outline ellipse; // all edges are shorter than h
             const int vertices = static_cast<int>(1.6 / h);
             for (int i = 0; i < vertices; ++i) {
                 ellipse.push_back(on_ellipse(2 * pi * i / vertices));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for contacts of lines, against all pairs.
+// The search for contacts of lines, compared with a test of all pairs.
 #include "dsc/geometry/contacts.h"
 #include "dsc/geometry/predicates.h"
 
@@ -17,7 +17,7 @@ struct Lines {
     std::vector<NetworkLine> lines;
 };
 
-// Between points of a coarse lattice; some points have one place, and some lines one end.
+// Lines between points of a coarse lattice; some points coincide, and some lines share an end.
 Lines random_lines(std::mt19937& random) {
     const auto below = [&](std::size_t end) { return static_cast<std::uint32_t>(random() % end); };
     Lines result;
@@ -36,7 +36,7 @@ Lines random_lines(std::mt19937& random) {
     return result;
 }
 
-// Any common point counts that is not the place of a common number.
+// Two lines are in contact if they have a common point other than a shared end (by number).
 bool touch(const Lines& lines, const NetworkLine& s, const NetworkLine& t) {
     const auto& p = lines.points;
     const auto is_end = [](std::uint32_t v, const NetworkLine& e) {
@@ -45,7 +45,7 @@ bool touch(const Lines& lines, const NetworkLine& s, const NetworkLine& t) {
     const auto lies_on = [&](std::uint32_t v, const NetworkLine& e) {
         return !is_end(v, e) && segments_meet<double>(p[v], p[v], p[e.from], p[e.to]);
     };
-    if (is_end(s.from, t) == is_end(s.to, t)) { // no end is common, or both are
+    if (is_end(s.from, t) == is_end(s.to, t)) { // the lines share no end, or both ends
         return segments_meet<double>(p[s.from], p[s.to], p[t.from], p[t.to]);
     }
     return lies_on(s.from, t) || lies_on(s.to, t) || lies_on(t.from, s) || lies_on(t.to, s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The formulas of lib/dsc/geometry: distances to segments, turns, the polynomial, circles; and that
-// the roundings in which a formula is kept agree with each other.
+// The formulas of lib/dsc/geometry: distances to segments, turns, the polynomial, circles; variants
+// of a formula with different rounding agree.
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/triangle.h"
@@ -49,7 +49,7 @@ TEST(Distance, ToASegmentIsTheLeastOverItsPoints) {
 }
 
 TEST(Distance, BesideALineKeepsItsDigits) {
-    // The nearest point of the diagonal has no coordinates in doubles.
+    // The nearest point of the diagonal cannot be represented by doubles.
     const P a(0, 0);
     const P b(1, 1);
     const double above = std::nextafter(0.7, 1.0);
@@ -130,7 +130,7 @@ TEST(Triangles, TheRoundingsOfEquationFourAgree) {
             quality<double>(P(-0.5, 0), P(0.5, 0), P(0, std::sqrt(legs * legs - 0.25)));
         EXPECT_NEAR(squared_quality_of_needle(legs * legs), q * q, 1e-14);
     }
-    // Only one of them is made for any scale.
+    // This variant works at any scale.
     EXPECT_NEAR(sine_squared<double>(P(0, 0), P(1e-100, 0), P(0, 1e-100)), 0.5, 1e-15);
 }
 
@@ -149,8 +149,8 @@ TEST(Triangles, TheCircumcentreIsAsFarFromAllCorners) {
     EXPECT_FALSE(circumcentre<double>(P(0, 0), P(1, 1), P(2, 2)).allFinite());
 }
 
-// Three ways to ask about one edge, (b, w): by angles, by the filtered and by the exact in-circle
-// determinant.
+// The Delaunay test of one edge (b, w) in three ways: by angles, by the filtered and by the exact
+// in-circle determinant.
 TEST(Delaunay, TheTestsAgreeWhereTheAnswerIsClear) {
     Dice dice;
     int flips = 0;
@@ -171,13 +171,13 @@ TEST(Delaunay, TheTestsAgreeWhereTheAnswerIsClear) {
     }
     EXPECT_GT(checked, 100);
     EXPECT_GT(flips, 20);
-    // Cocircular points stay as they are.
+    // An edge between cocircular points is not flipped.
     EXPECT_TRUE(is_delaunay<double>(P(0, 0), P(1, 0), P(1, 1), P(0, 1)));
-    // On one circle, without right angles: neither diagonal may be flipped for the other.
+    // Four points on one circle, without right angles: neither diagonal may replace the other.
     EXPECT_TRUE(is_delaunay<double>(P(5, 0), P(3, 4), P(-4, 3), P(0, -5)));
     EXPECT_TRUE(is_delaunay<double>(P(3, 4), P(-4, 3), P(0, -5), P(5, 0)));
     EXPECT_FALSE(certainly_in_circle(P(0, 0), P(1, 0), P(0, 1), P(1, 1)));
-    // Where doubles underflow, the exact predicate answers.
+    // Where doubles underflow, the exact predicate decides.
     EXPECT_TRUE(certainly_in_circle(P(0, 0), P(1e-160, 0), P(0, 1e-160), P(3e-161, 3e-161)));
 }
 

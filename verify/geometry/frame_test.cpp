@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame of a box: exact both ways for whatever lies in the box.
+// The frame of a box: conversion is exact in both directions for all points of the box.
 #include "dsc/initial/initial_complex.h"
 
 #include "support/frame_testing.h"
@@ -32,7 +32,7 @@ TEST(Frames, IsExactBothWaysForPointsOfTheBox) {
     test::Dice dice(5);
     int shifted = 0;
     for (int i = 0; i < 2000; ++i) {
-        // At and far from the origin, and astride of it.
+        // Boxes at the origin, far from it, and around it.
         const double size = std::pow(10.0, dice.in(-140.0, 140.0));
         const double away = dice.chance(0.5) ? dice.in(-3.0, 3.0) : dice.in(-1e9, 1e9);
         const Point<double> low = size * away * Point<double>(1, dice.in(-1.0, 1.0));
@@ -45,7 +45,7 @@ TEST(Frames, IsExactBothWaysForPointsOfTheBox) {
                 std::clamp(low.y() + size * dice.in(0.0, 1.0), low.y(), high.y()));
             const Point<double> unit = test::to_frame(frame, p);
             EXPECT_EQ(test::to_world(frame, unit), p);
-            // The difference is exact: taken in more digits it is the same.
+            // The difference is exact: it is the same when computed in more digits.
             for (int axis = 0; axis < 2; ++axis) {
                 const long double exact = static_cast<long double>(p[axis]) - frame.origin[axis];
                 EXPECT_EQ(static_cast<long double>(frame.unit * unit[axis]), exact);

@@ -73,7 +73,7 @@ private:
     std::mt19937_64 random_;
 };
 
-// What a determinant in plain doubles says.
+// The sign of the determinant in plain doubles.
 int naive_orientation(Site a, Site b, Site c) {
     const auto d = [](std::int64_t value) { return static_cast<double>(value); };
     const double det =
@@ -130,7 +130,7 @@ TEST(Orientation, AgreesAtEveryExponent) {
     }
 }
 
-// Where factors vanish, the sign is that of the product that is left, however small it is.
+// If the factors of one product vanish, the sign is that of the other product, however small.
 TEST(Orientation, KnowsUprightLinesAndEqualPoints) {
     for (const double x : {0.0, 0.1, -1e300, 5e-324}) {
         for (const auto [a, b, c] : {std::array{0.3, 0.7, 0.1}, std::array{0.3, 0.3, 0.1},
@@ -158,7 +158,7 @@ TEST(Orientation, IsZeroForWhatIsNotFinite) {
         EXPECT_EQ(in_circle(0, 0, 1, 0, 0, 1, bad, 0.5), 0);
         EXPECT_EQ(in_circle(bad, 0, 1, 0, 0, 1, 0.5, 0.5), 0);
     }
-    // Differences that overflow are still finite points.
+    // Points are finite even if their differences overflow.
     const double huge = std::numeric_limits<double>::max();
     EXPECT_EQ(orientation(-huge, -huge, huge, -huge, huge, huge), 1);
     EXPECT_EQ(in_circle(-huge, -huge, huge, -huge, huge, huge, 0, 0), 1);
@@ -198,7 +198,7 @@ TEST(InCircle, AgreesOnCocircularAndNearlyCocircularPoints) {
             d.x += sites.in(-1, 1);
             d.y += sites.in(-1, 1);
         }
-        // An offset that doubles represent, but whose squares they do not.
+        // An offset that is exact in doubles, but whose square is not.
         const std::int64_t offset = i % 3 == 0 ? 0 : std::int64_t{1} << sites.in(20, 48);
         for (Site* p : {&a, &b, &c, &d}) {
             p->x += offset;

@@ -48,7 +48,7 @@ TYPED_TEST(Sides, ATurnOfMoreThanTwelveDegreesIsAFeature) {
     EXPECT_FALSE(may_leave_side<Real>({0, 0}, {1, 0}, {1, 1}));
 }
 
-// On the left and on the right of the way.
+// A circular side that turns left, and one that turns right.
 TYPED_TEST(Sides, PlacesOnACurvedSideLieOnItsCircle) {
     using Real = TypeParam;
     const Real slack = 64 * std::numeric_limits<Real>::epsilon();

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What a Markdown file shows: its fenced blocks, its commands within the text, the files it names.
+"""Reads a Markdown file: its fenced blocks, the commands within its text, the files it names.
 
-A comment on the line above a block says how it is checked; none of them is seen by a reader:
+A comment on the line above a block, which readers do not see, says how the block is checked:
 
     <!-- from FILE -->            the block is FILE, or consecutive lines of it, apart from their
                                   indentation; a line `// ...` stands for any lines
@@ -63,8 +63,8 @@ class Command:
 
 
 def commands(block):
-    """Those of `sh` are one to a line, comments apart; those of `console` begin with $, and what
-    follows is their output. A line that ends with a backslash goes on."""
+    """Commands of a `sh` block are one to a line, except comments; those of a `console` block begin with $,
+    and their output follows. A line that ends with a backslash goes on."""
     found = []
     lines = "\n".join(block.text).replace("\\\n", " ").splitlines()
     for line in lines:
@@ -78,7 +78,7 @@ def commands(block):
 
 
 def without_times(text):
-    """What differs from run to run and from machine to machine."""
+    """Replaces what differs from run to run and from machine to machine."""
     return re.sub(r"\d+(\.\d+)?(e[-+]\d+)? (us|ms|s|MB)\b", r"# \3", text)
 
 

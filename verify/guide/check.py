@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks of a page: each returns a list of what is wrong, in sentences that begin with the place."""
+"""Checks of a page: each returns a list of faults, as sentences that begin with the place."""
 import os
 import re
 import subprocess
@@ -7,7 +7,7 @@ import sys
 
 from blocks import commands, is_part_of, without_times
 
-# Programs that the text names without a folder, and where they are built.
+# Programs that pages name without a folder, and the folders where they are built.
 PROGRAMS = {"dsc_scene": "lib/scenes", "dsc_bench": "bench", "dsc_precision": "bench",
             "dsc_verify": "verify", "dsc_hard": "verify"}
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b")  # in a command of the text: FILE, SCENE
@@ -18,14 +18,14 @@ LONGEST = 300  # seconds: a build without optimisation, on a machine with other 
 
 
 def bare(language, lines):
-    """A source without the licence and the description at its top."""
+    """A source file must begin with its licence and a description."""
     comment = "//" if language == "cpp" else "#"
     first = next((i for i, line in enumerate(lines) if not line.startswith(comment)), len(lines))
     return lines[first:] if language in ("cpp", "cmake", "python") else lines
 
 
 def sources(page, root):
-    """Blocks of a language that is compiled or read are parts of files."""
+    """Blocks in a language that is compiled or parsed must be parts of files."""
     problems = []
     for block in page.blocks:
         if block.language not in SOURCE_LANGUAGES:
@@ -45,8 +45,8 @@ def sources(page, root):
 
 
 def run(words, folder):
-    """The exit code and what was printed."""
-    # The interpreter that runs this can import matplotlib; the first on PATH may not.
+    """Runs a command and returns its exit code and output."""
+    # Uses this interpreter, which can import matplotlib; the first on PATH may not.
     words = re.sub(r"^python3\b", sys.executable, words)
     paths = [os.path.join(folder, "build/release", room) for room in sorted(set(PROGRAMS.values()))]
     environment = {**os.environ, "PATH": os.pathsep.join([*paths, os.environ["PATH"]]),
@@ -64,7 +64,7 @@ def is_built(words, folder):
 
 
 def shown_commands(page, folder):
-    """The commands of the blocks, run in `folder`: what they print is what is shown."""
+    """Runs the commands of the blocks in `folder`; they must print what the page shows."""
     problems = []
     for block in page.blocks:
         if block.language not in COMMAND_LANGUAGES or block.mark.startswith("not run: "):
@@ -88,8 +88,8 @@ def shown_commands(page, folder):
 
 
 def briefly(words):
-    """What shows in a moment that a program takes a command; None if this is no command, or one
-    that takes long in any case."""
+    """A short command that shows whether the program accepts these arguments; None if the text is no command,
+    or a command that always takes long."""
     program, *rest = words.split()
     program = os.path.basename(program)
     if program == "dsc_scene" and rest:
@@ -99,7 +99,7 @@ def briefly(words):
     if program == "dsc_bench" and rest:
         return f"{words} --benchmark_list_tests=true"
     if program == "dsc_verify" and rest[:1] == ["run"]:
-        # Checks, groups and scenes; files and values of options aside.
+        # Only checks, groups and scenes are looked up, not files and values of options.
         names = [name for word in rest[1:] for name in word.split(",")
                  if not word.startswith("--") and not word.endswith(".toml") and not word.isdigit()]
         return " && ".join(f"{program} list | grep -qw {name}" for name in names) or None
@@ -107,11 +107,11 @@ def briefly(words):
 
 
 def commands_in_text(page, file, folder):
-    """Commands between backquotes are taken by the programs."""
+    """The programs must accept the commands between backquotes."""
     problems = []
     last = ""
     for number, span in page.spans:
-        if span.startswith("... "):  # goes on from the command before it
+        if span.startswith("... "):  # an argument that continues the command before it
             span = last + span.removeprefix("...")
         words = None if PLACEHOLDER.search(span) else briefly(span)
         if words is None:
@@ -121,13 +121,13 @@ def commands_in_text(page, file, folder):
             continue
         code, _, errors = run(words, folder)
         if code != 0 and not (code == 1 and "run" in words and "dsc_scene" in words):
-            # 1 of a scene: two steps were so long that vertices did not arrive.
+            # A scene ends with code 1 if steps were so long that vertices did not arrive.
             problems.append(f"{file}:{number}: `{span}` ended with {code}: {errors.strip()}")
     return problems
 
 
 def paths(page, file, root):
-    """Files that are named or linked to exist."""
+    """Files that are named or linked to must exist."""
     problems = []
     for number, span in page.spans:
         if re.fullmatch(rf"({'|'.join(ROOMS)})/[\w./-]+", span) and not os.path.exists(
@@ -141,7 +141,7 @@ def paths(page, file, root):
 
 
 def rooms(page, file, root):
-    """The rooms of the library include only those above them in the table."""
+    """The rooms of the library may include only rooms above them in the table."""
     problems = []
     above = []
     for number, spans in page.rows:
@@ -159,7 +159,8 @@ def rooms(page, file, root):
 
 
 def public_headers(root, module):
-    """MODULE/MODULE.h, of the core dsc/engine.h as well, and what they include, directly or not."""
+    """The public headers: MODULE/MODULE.h, for the core also dsc/engine.h, and all headers that these
+    include."""
     found = [f"{module}/{module}.h"] + (["dsc/engine.h"] if module == "dsc" else [])
     for header in found:
         with open(os.path.join(root, "lib", header), encoding="utf-8") as stream:
@@ -169,7 +170,7 @@ def public_headers(root, module):
 
 
 def modules(root, names):
-    """The core names no module; of what is below it a module includes public headers alone."""
+    """The core must not name a module; a module may include only public headers of the rooms below it."""
     problems = []
     for at, module in enumerate(names):
         allowed = {header for other in names[:at] for header in public_headers(root, other)}

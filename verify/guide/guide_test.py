@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The README and the guide say what is so: their programs are those that tests compile, their
-commands run and print what is shown, the files they name exist."""
+"""The README and the guide are true: tests compile the programs they show, their commands run and print what
+is shown, and the files they name exist."""
 import filecmp
 import os
 import shutil
@@ -16,7 +16,8 @@ BUILD = os.environ["DSC_BUILD"]
 GUIDE = os.path.join(ROOT, "lib", "guide")
 FILES = ["README.md"] + sorted(f"lib/guide/{name}" for name in os.listdir(GUIDE)
                                if name.endswith(".md"))
-MODULES = ["dsc3", "fluid", "geometric_flows", "replay", "surface_files", "thesis", "topology"]  # what stands on another one after it
+# A module comes after those that it uses.
+MODULES = ["dsc3", "fluid", "geometric_flows", "replay", "surface_files", "thesis", "topology"]
 FILES += [f"lib/{module}/README.md" for module in MODULES]
 
 
@@ -26,7 +27,8 @@ def read(file):
 
 
 def scratch_folder(test):
-    """Looks like the root of the repository to a command, and takes the files that it writes."""
+    """Makes a folder that looks like the root of the repository to a command, and receives the files that the
+    command writes."""
     folder = tempfile.mkdtemp()
     test.addCleanup(shutil.rmtree, folder)
     for room in check.ROOMS:

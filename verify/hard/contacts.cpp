@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an interface may run into: another one, the side of the domain.
+// Contacts of an interface with another one, or with the domain boundary.
 #include "scene.h"
 #include "watch.h"
 
@@ -34,7 +34,8 @@ Scene<double> two_discs() {
     return scene;
 }
 
-// The vertices of both discs, as they are: who asks for a velocity is told apart by the nearest.
+// The current vertices of both discs: a velocity at a point is that of the disc with the nearest
+// vertex.
 struct DiscVertices {
     std::vector<Point<double>> positions;
     std::vector<Phase> phases;
@@ -69,7 +70,7 @@ struct DiscVertices {
     }
 };
 
-// Each disc is driven at the other at a speed that vanishes nowhere.
+// Each disc is driven towards the other; the speed vanishes nowhere.
 HardResult pressed_case(double edges_a_step, int steps, const std::string& how) {
     HardResult result;
     result.asked =
@@ -79,8 +80,8 @@ HardResult pressed_case(double edges_a_step, int steps, const std::string& how) 
                         {.domain = unit_square, .thorough_every = 100}, result);
     const double speed = edges_a_step * disc_h;
     DiscVertices vertices;
-    // Which disc asks is found at the beginning of a step only: in the stages of Runge and Kutta
-    // the other one may be nearer, and there must be no way to keep away from it.
+    // The disc of each point is found only at the beginning of a step: in later Runge-Kutta stages
+    // the other disc may be nearer, but the discs must still be driven at each other.
     double begin = 0;
     std::vector<Phase> asking;
     const Velocity<double> press = [&](std::span<const Point<double>> positions, double time,
@@ -153,8 +154,8 @@ BoundaryEdges boundary_edges(const Scene<double>& scene) {
     return boundary;
 }
 
-// What is done to a strip from side to side, in a unit of time: x goes to
-// middle + stretch (x - middle) + shear (y - 1/2) + shift.
+// The motion of a strip from side to side, per unit of time: x goes to middle + stretch (x -
+// middle) + shear (y - 1/2) + shift.
 struct BoundaryMotion {
     double shear = 0;
     double shift = 0;
@@ -193,7 +194,7 @@ HardResult boundary_case(const std::string& asked, double width, const BoundaryM
     const BoundaryEdges boundary = boundary_edges(scene);
     result.happened = "its ends slide; boundary edges end between " + text(boundary.shortest / h) +
                       " and " + text(boundary.longest / h) + " edge lengths";
-    // RK4's own error of exp(0.02) to the power of 50, at most.
+    // Bounds RK4's own error for exp(0.02) to the power of 50.
     note_error(result, shape_error<double>(scene.complex, exact), rate == 0 ? 1e-12 : 1e-8);
     expect(result, boundary.off_boundary == 0, "a boundary vertex left the domain boundary");
     expect(result, area_error < 1e-13, "the domain's area changed");
@@ -203,7 +204,7 @@ HardResult boundary_case(const std::string& asked, double width, const BoundaryM
     return result;
 }
 
-// A disc and a strip that are driven against a side of the domain, where there is no way on.
+// A disc and a strip that are driven against a side of the domain, which they cannot cross.
 HardResult pressed_boundary_case() {
     HardResult result;
     result.asked = "a disc and a strip from side to side are driven against a side of the domain "
@@ -232,9 +233,9 @@ HardResult pressed_boundary_case() {
     return result;
 }
 
-// The strip's boundary is an interface as well, and turns into its side by only 35 degrees: a cubic
-// through both would bulge at the domain boundary. The slope decides at which end of an edge this
-// is seen.
+// The strip's end on the domain boundary is an interface as well, and meets the strip's side at a
+// turn of only 35 degrees: a cubic through both would bulge at the domain boundary. The sign of the
+// slope decides at which end of an edge the bulge would be.
 HardResult slanted_boundary_case(double slope) {
     HardResult result;
     result.asked = "a strip that meets the sides of the domain at a slope of " + text(slope) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coordinates far from the origin, scenes of any size, and where the scalar ends.
+// Coordinates far from the origin, scenes of any size, and the limits of the scalar.
 #include "scene.h"
 #include "watch.h"
 
@@ -26,7 +26,8 @@ using scenes::Outline;
 
 constexpr int offset_steps = 150;
 
-// A circle that goes right, and one that is turned, in the unit square times `size` plus `offset`.
+// A circle that moves to the right, and one that rotates, in the unit square times `size` plus
+// `offset`.
 struct Place {
     double size = 1;
     double offset = 0;
@@ -37,7 +38,8 @@ struct Place {
     }
     [[nodiscard]] Rectangle domain() const { return {at(0, 0), at(1, 1)}; }
     [[nodiscard]] std::vector<Outline> outlines() const {
-        // Made at unit size and placed, so that all places have the same circle but for rounding.
+        // The circle is made at unit size and then placed, so that all cases have the same circle
+        // up to rounding.
         return mapped(std::vector<Outline>{scenes::circle({0.35, 0.5}, 0.2, h)},
                       [this](const Point<double>& p) { return at(p.x(), p.y()); });
     }
@@ -46,7 +48,7 @@ struct Place {
 enum class Motion { translation, rotation };
 
 scenes::Velocity velocity_of(Motion motion, const Place& place) {
-    // 0.3 of the domain, or a quarter turn, in a unit of time.
+    // The velocity: 0.3 of the domain, or a quarter turn, per unit of time.
     if (motion == Motion::translation) {
         return scenes::Translation{{0.3 * place.size, 0}};
     }
@@ -61,7 +63,7 @@ std::vector<Outline> exact_of(Motion motion, const Place& place) {
     return scenes::rotated_shape(outlines, place.at(0.5, 0.5), std::numbers::pi / 2).outlines;
 }
 
-// The interface at the end, in the coordinates of the unit square: without a frame, or with one.
+// The final interface in coordinates of the unit square, from a run without or with a frame.
 template <class Real>
 std::vector<Outline> run_at(const Place& place, Motion motion, bool with_frame, HardResult& result,
                             std::uint64_t* hash = nullptr) {
@@ -76,8 +78,8 @@ std::vector<Outline> run_at(const Place& place, Motion motion, bool with_frame, 
     if (hash != nullptr) {
         *hash = mesh_hash(scene.complex);
     }
-    // The difference is exact where coordinates are far from the origin, and the scale but for one
-    // rounding.
+    // The difference is exact for coordinates far from the origin; the division by the size rounds
+    // once.
     return mapped(scenes::interface_outlines(scene.complex), [&](const Point<double>& unit) {
         if (with_frame) {
             const Point<double> shift = frame.origin - place.at(0, 0);
@@ -92,8 +94,8 @@ double error_of(const std::vector<Outline>& outlines, Motion motion, double h = 
     return scenes::symmetric_difference(outlines, exact) / scenes::signed_area(exact);
 }
 
-// What rounding the coordinates once costs in shape: a displacement of the whole outline by half a
-// step of the scalar in x and in y.
+// The shape error from rounding the coordinates once: at most that of moving the whole outline by
+// half a step of the scalar in x and in y.
 double rounding_cost(const std::vector<Outline>& outlines, double offset, double epsilon) {
     return scenes::perimeter(outlines) * 0.5 * epsilon * std::abs(offset) * std::numbers::sqrt2 /
            scenes::signed_area(outlines);
@@ -112,7 +114,7 @@ HardResult offset_case(double offset, bool with_frame) {
         HardResult plain;
         const double at_origin = error_of(run_at<double>({}, motion, false, plain), motion);
         const double far = error_of(run_at<double>(there, motion, with_frame, result), motion);
-        // Without a frame each step rounds anew, and may do so the same way each time.
+        // Without a frame each step rounds again, perhaps in the same direction each time.
         const double allowed = at_origin + 1e-13 + (with_frame ? 3 : 2 * (offset_steps + 1)) * once;
         note_error(result, far, allowed);
         worst_share = std::max(worst_share, (far - at_origin) / once);
@@ -139,7 +141,7 @@ HardResult size_case(double size) {
     return result;
 }
 
-// By a power of two nothing may change at all.
+// Scaling by a power of two must not change anything.
 HardResult power_case(int exponent, bool with_frame) {
     HardResult result;
     result.asked = "the same scene times 2^" + std::to_string(exponent) +
@@ -178,13 +180,13 @@ HardResult bare_size_case(double size) {
     return result;
 }
 
-// At this offset no mesh of such edges can be made in float itself.
+// At this offset, float cannot even represent a mesh with such edges.
 HardResult float_mapped_case() {
     HardResult result;
     result.asked = "float at an offset of 1e5, h = 0.02, in the coordinates of a frame";
     const Place there{.offset = 1e5};
     constexpr auto epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
-    // In unit coordinates of up to 1 the steps' roundings add up to this at most.
+    // A bound of the sum of all steps' rounding errors, for coordinates up to 1.
     const double allowed = 2 * (offset_steps + 1) * rounding_cost(Place{}.outlines(), 1.0, epsilon);
     for (const Motion motion : {Motion::translation, Motion::rotation}) {
         note_error(result, error_of(run_at<float>(there, motion, true, result), motion), allowed);

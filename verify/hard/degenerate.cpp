@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outlines with hardly any angle, and grids in which every test is a near tie.
+// Outlines with tiny angles, and grids in which every test is nearly a tie.
 #include "scene.h"
 #include "watch.h"
 
@@ -39,7 +39,7 @@ HardResult turned(const Outline& outline, double h, const std::string& asked, do
 const double tenth_of_a_degree = 0.1 * std::numbers::pi / 180;
 
 Point<double> tilted(double along, double across) {
-    // At 30 degrees, so that the box around a thin shape is not thin.
+    // Rotated by 30 degrees, so that the bounding box of a thin shape is not thin.
     const double c = std::numbers::sqrt3 / 2;
     const double s = 0.5;
     return {0.5 + c * along - s * across, 0.5 + s * along + c * across};
@@ -60,7 +60,7 @@ HardResult cap_case() {
 }
 
 HardResult flat_vertices_case() {
-    // A square with vertices that turn by next to nothing, to either side.
+    // A square whose sides have vertices with tiny turns to either side.
     Outline outline;
     const std::vector<Point<double>> corners{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -76,7 +76,7 @@ HardResult flat_vertices_case() {
                   1e-6);
 }
 
-// By ulps of the coordinate, or by a distance.
+// Perturbs a coordinate by units in the last place, or by a distance.
 struct Perturbation {
     int ulps = 0;
     double distance = 0;
@@ -90,9 +90,9 @@ double nudged(double value, const Perturbation& by, test::Dice& dice) {
     return value + by.distance * dice.in(-1.0, 1.0);
 }
 
-// Four corners of a grid's square are cocircular, and its lines collinear, but for the
-// perturbation; the sides of the domain stay straight. A square of the grid, as a phase, is moved
-// by whole sides, so that vertices come to lie among the grid's again.
+// Up to the perturbation, the corners of a grid's square are cocircular and its lines straight; the
+// sides of the domain stay straight. A square phase moves by whole grid spacings, so that its
+// vertices return to the grid.
 HardResult grid_case(const Perturbation& by, const std::string& how) {
     HardResult result;
     result.asked = "a grid, cocircular and collinear " + how + ", with a square moved in it";
@@ -109,10 +109,10 @@ HardResult grid_case(const Perturbation& by, const std::string& how) {
             const bool on_side = p.minCoeff() == 0 || p.maxCoeff() == 1;
             return on_side ? p : Point<double>(nudged(p.x(), by, dice), nudged(p.y(), by, dice));
         });
-    // The outlines as they are: perturbed.
+    // The exact outlines include the perturbation.
     const auto first = scenes::interface_outlines(scene.complex);
     Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
-    // Right, up, back: 4 edges each in 8 steps.
+    // Moves right, up, left and down, by 4 edges each in 8 steps.
     std::uint64_t flips = 0;
     bool going = true;
     const std::vector<Point<double>> legs{{1, 0}, {0, 1}, {-1, -1}};
@@ -126,13 +126,13 @@ HardResult grid_case(const Perturbation& by, const std::string& how) {
     note_error(result, shape_error<double>(scene.complex, first), 1e-11);
     result.happened =
         text(static_cast<double>(flips)) + " flips in 24 steps: ties do not flip back and forth";
-    // Each of the 24 vertices passes four grid squares, with some flips in each.
+    // Each of the 24 vertices passes four grid squares, with a few flips in each.
     expect(result, flips < 6000, text(static_cast<double>(flips)) + " flips");
     expect_sound(result, Targets::reachable);
     return result;
 }
 
-// An outline whose vertices lie on a circle but for a perturbation, in a mesh that is built on it.
+// An outline whose vertices lie on a circle up to a perturbation, and a mesh that is built on it.
 HardResult circle_case(const Perturbation& by, const std::string& how) {
     test::Dice dice(11);
     Outline outline = scenes::circle({0.5, 0.5}, 0.25, 0.05);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One test for each hard case (result.h): the ordinary ones, or those that take minutes.
+// One test for each hard case (result.h): either the ordinary ones, or those that take minutes.
 #include "hard/result.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ std::vector<hard::HardCase> cases() {
     return some;
 }
 
-// GoogleTest takes letters, digits and underscores only; the minus of an exponent is a word.
+// GoogleTest's names may have only letters, digits and underscores, so the minus of an exponent
+// becomes a word.
 std::string test_name(const testing::TestParamInfo<hard::HardCase>& info) {
     const std::regex exponent("(\\d[e^])-");
     const std::string name = std::regex_replace(info.param.name, exponent, "$1minus");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors that only many steps show.
+// Errors that only become visible after many steps.
 #include "scene.h"
 #include "watch.h"
 
@@ -34,7 +34,7 @@ HardResult zalesak_case(int revolutions) {
     for (int turn = 1; turn <= revolutions && going; ++turn) {
         going = watch.run(rotation, turn - 1, 1.0 / steps, steps);
     }
-    // RK4's own: the angle lags by (2 pi / 628)^4 / 120 of what was turned.
+    // RK4's own error: the angle lags by (2 pi / 628)^4 / 120 of the rotation.
     const double lag =
         std::pow(2 * std::numbers::pi / steps, 4) / 120 * 2 * std::numbers::pi * revolutions;
     const double cost = lag * 0.4 * scenes::perimeter(outlines) / scenes::signed_area(outlines);
@@ -49,8 +49,8 @@ HardResult slow_case(std::uint64_t steps) {
     constexpr double way = 0.3;
     const std::vector<Outline> outlines{scenes::circle({0.35, 0.5}, 0.2, h)};
     const auto exact = scenes::translated_shape(outlines, {way, 0}).outlines;
-    // Each step rounds a coordinate below 1 by half a step of doubles at most, perhaps always the
-    // same way.
+    // Each step rounds a coordinate below 1 by at most half a unit in the last place, perhaps
+    // always in the same direction.
     const double drift = static_cast<double>(steps) * 0.5 * std::numeric_limits<double>::epsilon();
     const double allowed = drift * scenes::perimeter(exact) / scenes::signed_area(exact) + 1e-13;
     HardResult result = carry({.asked = "a circle translated by three edge lengths in " +

@@ -78,7 +78,7 @@ struct Arguments {
     std::string json;
 };
 
-// Those that are named; none named: all, the long ones only where asked for.
+// The cases named; if none is named, all, with the long ones only after --long.
 std::vector<const HardCase*> select(const Arguments& arguments) {
     std::vector<const HardCase*> selected;
     for (const std::string& name : arguments.cases) {

@@ -18,10 +18,11 @@ namespace {
 
 using scenes::Outline;
 
-// The exact shapes need to be far better than the methods only; under the sanitizers they are dear.
+// The exact shapes only need to be much more accurate than the methods; under the sanitizers more
+// markers take too long.
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
-// By steps of so many edge lengths, of which none is too many.
+// Steps of this many edge lengths, none of which is too long.
 HardResult in_steps(const Carried& advected) {
     HardResult result = carry(advected);
     result.happened = "arrives everywhere, in at most " + std::to_string(result.max_sub_steps) +
@@ -41,7 +42,7 @@ HardResult translation_case(double edges) {
          .dt = edges * h,
          .steps = static_cast<std::uint64_t>(std::lround(way / (edges * h))),
          .exact = scenes::translated_shape(outlines, {way, 0}).outlines,
-         .allowed = 1e-11, // rigid: only rounding is left, of 3000 steps at most
+         .allowed = 1e-11, // a rigid motion: only the rounding errors of at most 3000 steps
          .domain = {{0, 0}, {16, 1}}});
 }
 
@@ -61,12 +62,12 @@ HardResult rotation_case(double edges) {
          .dt = dt,
          .steps = steps,
          .exact = scenes::rotated_shape(outlines, {0.5, 0.5}, angle).outlines,
-         // RK4 by 0.06 radians at a time: 0.06^5 / 120 each, 500 times, in units of
-         // the outermost radius.
+         // RK4's error: 500 steps of 0.06 radians with 0.06^5 / 120 each, times the outermost
+         // radius.
          .allowed = 5e-5});
 }
 
-// The swirl does not return: the exact shape is that of markers.
+// This swirl does not return, so the exact shape is computed by markers.
 std::vector<Outline> swirled(const scenes::ParametricCurve& curve, double end) {
     return scenes::advected_shape(curve, scenes::steady(scenes::Swirl{}), end, exact_markers)
         .outlines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that are hardly numbers: denormals, NaN, infinities, and speeds beyond all sub-steps.
+// Extreme numbers: denormals, NaN, infinities, and speeds too high for any number of sub-steps.
 #include "scene.h"
 #include "watch.h"
 
@@ -42,10 +42,10 @@ struct Strange {
     Field field;
     std::uint64_t min_held = 0; ///< summed over steps
     bool all_stay = false;      ///< nothing may have moved at the end
-    bool all_go = false;        ///< everything must have gone the whole way
+    bool all_go = false;        ///< all vertices must have arrived
     std::string happened;
-    bool held_block = false; ///< those who are held may stop others, which are counted too
-    int only_step = -1;      ///< the field is asked in this step alone; `right` in all others
+    bool held_block = false; ///< held vertices may block others, which are counted too
+    int only_step = -1;      ///< the step in which the velocity is bad; `right` in all others
     std::uint64_t max_held = std::numeric_limits<std::uint64_t>::max();
 };
 
@@ -66,7 +66,7 @@ HardResult strange_case(const Strange& strange) {
                " expected");
     expect(result, strange.min_held > 0 || result.held == 0, "vertices were held without a reason");
     expect(result, result.held <= strange.max_held, "held in more than that step");
-    // Who is held may be in the way of those who go on.
+    // Held vertices may block vertices that move.
     expect(result, strange.held_block || result.unreached == result.held,
            "vertices did not arrive for another reason than their velocity");
     const double way = strange.all_stay ? 0 : step_count * dt;
@@ -81,14 +81,14 @@ HardResult strange_case(const Strange& strange) {
     return result;
 }
 
-// Not a number, or infinite, in the right part of the disc, in all of it...
+// The velocity is NaN or infinite in the right part of the disc, in the whole disc...
 Field bad_where(double bad, double from_x) {
     return [=](const Point<double>& p, double) {
         return p.x() > from_x ? Point<double>(bad, 0) : right;
     };
 }
 
-// ... or in the stages of a Runge-Kutta step that lie between two steps.
+// ...or only in the inner stages of a Runge-Kutta step.
 Field bad_when(double bad, double from, double to) {
     return [=](const Point<double>&, double time) {
         return time > from && time < to ? Point<double>(bad, 0) : right;
@@ -118,7 +118,7 @@ HardResult denormal_coordinates() {
                   .thorough_every = 1});
 }
 
-// One vertex asks for more than any number of sub-steps.
+// One vertex is so fast that no number of sub-steps is enough.
 HardResult too_fast(double speed) {
     HardResult result;
     result.asked = "a speed of " + text(speed) +
@@ -191,7 +191,8 @@ void append_numbers(std::vector<HardCase>& cases) {
              .happened = "all vertices are held in that step and go on in the next",
              .only_step = 3,
              .max_held = all});
-        // No step begins or ends in there: only the middle stages see it.
+        // No step begins or ends in this interval: only the middle stages evaluate the velocity
+        // there.
         add(prefix + "in-stages",
             {.asked = begin + " in the middle stages of one Runge-Kutta step only",
              .field = bad_when(bad, 3.2 * dt, 3.8 * dt),

@@ -50,7 +50,7 @@ std::vector<scenes::Outline> mapped(std::span<const scenes::Outline> outlines,
 /// The area of the whole domain, summed over triangles.
 double domain_area(const Complex<double>& complex);
 
-/// A number as in a sentence: "1.2e-05".
+/// A number as text for a sentence: "1.2e-05".
 std::string text(double value);
 
 } // namespace dsc::hard

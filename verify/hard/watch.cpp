@@ -17,12 +17,12 @@
 
 namespace dsc::hard {
 
-// RK4 and functions of positions and time only.
+// The targets can be checked only for RK4 and for velocities of position and time.
 template <class Real>
 class WatchingStage final : public Stage<Real> {
 public:
-    // Vertices on the sides of the domain are expected to slide, corners to stay. The result takes
-    // the sums of what was missed.
+    // Vertices on the sides of the domain must slide, and corners must stay. The counts of missed
+    // vertices are added to the result.
     WatchingStage(const Rectangle& domain, HardResult& result) : domain_(domain), result_(result) {}
 
     // The velocity of the steps that follow; must outlive them.
@@ -35,7 +35,7 @@ public:
                       : &complex.attributes.template add<Vertex>(name, Point<Real>(0, 0));
     }
 
-    // Notes where the vertices are when remeshing is over.
+    // Records the positions of the vertices after remeshing.
     [[nodiscard]] std::optional<Pass<Real>> pass() override {
         const auto note = [this](Work<Real>& work) {
             for (const std::uint32_t v : work.interface) {
@@ -45,7 +45,7 @@ public:
         return Pass<Real>{.name = "watch", .run = note, .attends = true};
     }
 
-    // Compares where they are now with where they should be.
+    // Compares the vertices' positions with their expected ones.
     void run(const Between<Real>& between) override {
         constexpr auto epsilon = static_cast<double>(std::numeric_limits<Real>::epsilon());
         const auto dt = static_cast<double>(between.dt);
@@ -55,7 +55,8 @@ public:
             const Point<double> from = (*before_)[Vertex{v}].template cast<double>();
             const Point<double> target = target_of(from, time, dt);
             const Point<double> now = between.complex.position(Vertex{v}).template cast<double>();
-            // Rounding of the coordinates, and of the way in the scalar of the complex.
+            // Tolerance for rounding the coordinates, and the displacement in the scalar of the
+            // complex.
             const double tolerance =
                 8 * epsilon * (now.cwiseAbs().maxCoeff() + (target - from).norm());
             const bool is_there =
@@ -69,7 +70,8 @@ public:
     }
 
 private:
-    // The classical scheme, in doubles and one vertex at a time; vertices stay on the boundary.
+    // The classical RK4 scheme, in doubles and for one vertex; vertices of the domain boundary stay
+    // on it.
     [[nodiscard]] Point<double> target_of(const Point<double>& from, double time, double dt) const {
         const auto velocity_at = [&](const Point<double>& p, double when) {
             const Point<Real> at = p.cast<Real>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The initial complex of a network of curves: every curve comes out as it went in, with its phases
-// on both sides, and the triangles are as good as the angles between the curves allow.
+// The initial complex of a network of curves: every curve keeps its points and the phases on its
+// two sides, and triangles are as good as the angles between the curves allow.
 #include "replay/mesh_hash.h"
 #include "shapes/shapes.h"
 #include "shapes/voronoi.h"
@@ -36,7 +36,7 @@ std::vector<Point<double>> arc(const Point<double>& centre, double radius, doubl
     return points;
 }
 
-// Two arcs between the same two ends, and a straight line from there to either side.
+// Two arcs between the same two ends, and a straight line from each end to a side of the domain.
 Case lens(double h) {
     const double radius = 0.2;
     auto upper = arc({0.5, 0.5}, radius, 0, pi, h);
@@ -139,7 +139,8 @@ TEST_P(InitialCurves, ComeOutAsTheyWentInAsFloat) {
     }
 }
 
-// The direction of a curve is only a way to write its phases down.
+// The direction of a curve does not matter: reversed, with left and right exchanged, it is the same
+// curve.
 TEST_P(InitialCurves, MayRunEitherWay) {
     CurveScenery backwards = GetParam().scenery;
     for (Curve& curve : backwards.curves) {
@@ -157,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Networks, InitialCurves, ::testing::ValuesIn(cases()),
                                     std::to_string(std::lround(1 / test.param.scenery.edge_length));
                          });
 
-// Wherever a curve ends on a side, the vertices of the side make room for it.
+// Wherever a curve ends on a side of the domain, vertices of that side are spaced to fit.
 TEST(InitialCurvesSizes, CurvesToTheSidesAnywhereGetGoodTriangles) {
     for (int i = 1; i < 40; ++i) {
         const double from = 0.1 + 0.02 * i;

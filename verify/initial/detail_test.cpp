@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Detail that is finer than the mesh: what is left out, how far that moves the interface, and what
-// stays.
+// Detail finer than the mesh: the points that are left out, how far the interface moves, and what
+// is kept.
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/phases.h"
 #include "shapes/shapes.h"
@@ -44,7 +44,8 @@ std::vector<Point<double>> wavy_circle(int count, double noise) {
     return points;
 }
 
-// Each edge of a triangle in four parts, of which the inner two make a tooth, and so on.
+// A Koch snowflake: each edge of a triangle is replaced by four, of which the inner two form a
+// tooth, recursively.
 std::vector<Point<double>> koch(int depth) {
     std::vector<Point<double>> points{
         {0.25, 0.35}, {0.75, 0.35}, {0.5, 0.35 + 0.5 * std::sqrt(0.75)}};
@@ -98,7 +99,7 @@ TEST(InitialDetail, IsLeftOutWithinTheDeviationThatIsReported) {
     }
 }
 
-// One point too many, beside another one.
+// An outline with one additional point close to another one.
 TEST(InitialDetail, ADoubledPointMakesNoNeedles) {
     std::vector<Point<double>> circle = scenes::circle({0.5, 0.75}, 0.15, 0.0157);
     for (const double distance : {1e-4, 1e-9, 1e-15, 0.0}) {
@@ -113,7 +114,7 @@ TEST(InitialDetail, ADoubledPointMakesNoNeedles) {
     }
 }
 
-// Neither end of a short edge may go, or the shape would lose too much of its area.
+// Removing either end of a short edge alone would change the area too much.
 TEST(InitialDetail, BothEndsOfAShortEdgeBecomeOnePoint) {
     const auto scaled = [](std::vector<Point<double>> points) {
         for (Point<double>& p : points) {
@@ -121,7 +122,7 @@ TEST(InitialDetail, BothEndsOfAShortEdgeBecomeOnePoint) {
         }
         return points;
     };
-    // A blade of a contour plot.
+    // A thin blade, as contour plots have them.
     const auto blade = scaled({{0.075, -0.001},
                                {0.856, -0.01},
                                {1.637, -0.012},
@@ -137,7 +138,8 @@ TEST(InitialDetail, BothEndsOfAShortEdgeBecomeOnePoint) {
     EXPECT_GT(report.thinned, 0U);
     EXPECT_NEAR(phase_area(complex, 1), area, 1e-3 * area);
     EXPECT_GT(test::smallest_angle(complex), 5);
-    // Beside the upper one of the two points, there is no room for another one.
+    // Another shape lies so close to the upper of the two points that the merged point must not be
+    // placed there.
     const auto tips =
         scaled({{-0.6, 0}, {-0.08, -0.08}, {0.08, -0.08}, {0.6, 0}, {0.08, 0.08}, {-0.08, 0.08}});
     const auto above = scaled({{-5, 0.085}, {5, 0.085}, {5, 5}, {-5, 5}});
@@ -148,7 +150,7 @@ TEST(InitialDetail, BothEndsOfAShortEdgeBecomeOnePoint) {
     EXPECT_TRUE(validate(both.complex).ok());
 }
 
-// Curves that meet: their ends stay, and two curves between the same ends stay two.
+// The ends of curves that meet stay, and two curves between the same ends stay separate.
 TEST(InitialDetail, EndsOfCurvesStay) {
     std::vector<Point<double>> arc;
     std::vector<Point<double>> other;
@@ -168,7 +170,7 @@ TEST(InitialDetail, EndsOfCurvesStay) {
     EXPECT_NEAR(phase_area(complex, 1), pi * 0.02 + 0.1 * pi * 0.05 * h, 1e-3 * h);
 }
 
-// Sheets that are nearer to each other than the deviation do not come to cross.
+// Sheets that are closer to each other than the allowed deviation must not cross afterwards.
 TEST(InitialDetail, ThinLayersStayApart) {
     std::vector<Shape> layers;
     for (int i = 0; i < 20; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The initial complex: every shape comes out as it went in, on a valid, constrained Delaunay
-// complex of good triangles of the size that was asked for.
+// The initial complex: every shape keeps its points, in a valid, constrained Delaunay complex of
+// good triangles of the requested size.
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/build/lattice.h"
 #include "dsc/initial/initial_complex.h"
@@ -26,7 +26,7 @@ Shape circle(double x, double y, double radius, double edge_length, dsc::Phase p
     return {dsc::scenes::circle({x, y}, radius, edge_length), phase};
 }
 
-// Sharp and blunt corners in turn, and edges that are not cut beforehand.
+// A star with sharp and blunt corners, whose long edges are not divided beforehand.
 Shape star(int points, double inner, double outer) {
     Shape shape;
     for (int i = 0; i < points; ++i) {
@@ -37,8 +37,8 @@ Shape star(int points, double inner, double outer) {
     return shape;
 }
 
-// Vertices of the very lattice that the shape is laid over, and edges along its rows and through
-// its vertices.
+// Shapes with vertices exactly on the lattice of the mesh, and edges along its rows and through its
+// vertices.
 Scenery on_the_lattice() {
     Scenery scenery;
     const auto lattice = dsc::initial::fit_lattice({0, 0}, {1, 1}, scenery.edge_length);
@@ -116,7 +116,7 @@ protected:
     }
 };
 
-// Each shape as a closed curve, with the phase of what is around it on the right.
+// Each shape as a closed curve, with the surrounding phase on its right.
 CurveScenery as_curves(const Scenery& scenery) {
     CurveScenery result{{}, scenery.edge_length, scenery.domain};
     for (const Shape& shape : scenery.shapes) {
@@ -169,7 +169,7 @@ TEST_P(InitialComplex, ComesOutAsItWentInAsFloat) {
 INSTANTIATE_TEST_SUITE_P(Shapes, InitialComplex, ::testing::ValuesIn(cases()),
                          [](const auto& test) { return test.param.name; });
 
-// The goal that the constants of the improvement were chosen for.
+// The constants of the improvement were chosen to meet these values.
 TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {
     const double h = 0.01;
     const std::vector<Shape> shapes{circle(0.5, 0.5, 0.25, h)};
@@ -182,7 +182,7 @@ TEST(InitialComplexSizes, ACircleGetsTrianglesOfTheSizeAskedFor) {
     EXPECT_NEAR(complex.triangle_count(), 1 / (0.4330127 * h * h), 0.02 / (0.4330127 * h * h));
 }
 
-// Scale must not matter, down to where products of four lengths underflow.
+// The scale must not matter, even where products of four lengths underflow.
 TEST(InitialComplexSizes, ScaleDoesNotMatter) {
     for (const int power : {-300, -40, 300}) {
         const double scale = std::ldexp(1.0, power);

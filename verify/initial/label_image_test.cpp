@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Complexes of label images: the area of each phase, how far boundaries and junctions lie from
-// those of the pixels, and where small grains go.
+// Complexes from label images: areas of phases, distances of boundaries and junctions from those of
+// the pixels, and small grains that are dropped.
 #include "dsc/initial/label_image.h"
 
 #include "dsc/base/error.h"
@@ -24,7 +24,7 @@ LabelImage painted(std::size_t rows, std::size_t columns, auto phase_at) {
     LabelImage image{rows, columns, {}};
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < columns; ++column) {
-            // Of the middle of the pixel, from the lower left corner.
+            // The phase at the centre of the pixel; the origin is the lower left corner.
             image.labels.push_back(
                 phase_at(static_cast<double>(column) + 0.5, static_cast<double>(rows - row) - 0.5));
         }
@@ -55,7 +55,7 @@ std::map<Phase, double> shares(const LabelImage& image) {
     return counts;
 }
 
-// The largest error of an area, relative to it, in the unit square.
+// The largest relative error of a phase's area, in the unit square.
 double area_error(const Complex<double>& complex, const LabelImage& image) {
     std::map<Phase, double> found = test::areas_by_phase(complex);
     double worst = 0;
@@ -115,7 +115,7 @@ TEST(LabelImage, KeepsAreasAndJunctionsOfGrains) {
     }
 }
 
-// Lines and circles that are finer than their pixels.
+// Lines and circles are recovered more exactly than by the edges of pixels.
 TEST(LabelImage, SmoothsTheStairsOfPixels) {
     for (const double slope : {0.0, 0.13, 1.0 / 3, 0.71, 1.0, 2.3}) {
         const auto height = [&](double x) { return 40.2 + slope * (x - 40); };
@@ -149,7 +149,7 @@ TEST(LabelImage, SmoothsTheStairsOfPixels) {
 }
 
 TEST(LabelImage, PixelsThatShareACornerAlone) {
-    // They meet in a point, and so do four phases.
+    // Two squares of one phase meet in a point, and so do four phases.
     const auto diagonal =
         painted(8, 8, [](double x, double y) { return (x < 4) == (y < 4) ? 2U : 1U; });
     const auto complex = initial_complex<double>({}, diagonal, {.edge_length = 0.1});
@@ -158,7 +158,7 @@ TEST(LabelImage, PixelsThatShareACornerAlone) {
     const auto four =
         painted(8, 8, [](double x, double y) { return (x < 4 ? 1U : 2U) + (y < 4 ? 0U : 2U); });
     EXPECT_LT(area_error(initial_complex<double>({}, four, {.edge_length = 0.1}), four), 1e-5);
-    // Noise, in which nothing is straight.
+    // Noise, without any straight boundaries.
     std::mt19937_64 random(2);
     const auto noise =
         painted(40, 40, [&](double, double) { return static_cast<Phase>(random() % 5); });
@@ -168,8 +168,8 @@ TEST(LabelImage, PixelsThatShareACornerAlone) {
     EXPECT_LT(area_error(noisy, noise), 1e-2);
 }
 
-// A pixel that is much smaller than an edge hangs on its grain by a corner: it goes, its area
-// stays.
+// A pixel, much smaller than an edge, touches its grain only at a corner: it is dropped, but its
+// area is kept.
 TEST(LabelImage, PixelsThatHangOnAGrainByACorner) {
     const auto image = painted(40, 40, [](double x, double y) {
         const bool hangs = std::abs(x - 20.5) < 0.5 && std::abs(y - 20.5) < 0.5;

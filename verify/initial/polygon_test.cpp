@@ -89,7 +89,7 @@ TEST(PolygonDomain, HasTheAreaAndTheVerticesOfItsRings) {
     }
 }
 
-// A half-plane of phase 1, which reaches beyond each of them.
+// Clips a half-plane of phase 1, which reaches beyond every domain.
 TEST(PolygonDomain, ShapesAreClippedAtItsBoundary) {
     const std::vector<Shape> shapes{{{{-9, -9}, {9, -9}, {9, 0.3}, {-9, 0.3}}, 1}};
     const double segment = std::acos(0.3) - 0.3 * std::sqrt(1 - 0.09); // of the disc, above
@@ -101,7 +101,7 @@ TEST(PolygonDomain, ShapesAreClippedAtItsBoundary) {
     EXPECT_NEAR(below(2), 0.6, 1e-12);
 }
 
-// Shapes share borders that cross the boundary: each has an edge of its own there.
+// Shapes share borders that cross the domain boundary, where each border must get an edge.
 TEST(PolygonDomain, SharedBordersMayCrossTheBoundary) {
     for (int seed = 0; seed < 20; ++seed) {
         const Point<double> middle(0.1 + 0.013 * seed, 0.3 - 0.007 * seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Domains, options, shapes and curves that make no sense, each with its message; and what lies just
-// inside the limits. Outlines and curves are checked by the same code, so a rule is tried on either
-// of them.
+// Invalid domains, options, shapes and curves, each with its message; and input just inside the
+// limits, which is accepted. Outlines and curves are checked by the same code, so each rule is
+// tested on only one of them.
 #include "dsc/initial/initial_complex.h"
 #include "dsc/initial/input/input_check.h"
 #include "dsc/queries/phases.h"
@@ -152,14 +152,14 @@ TEST(InitialErrors, Ends) {
     expect_refused<double, Curve>({
         {{across, {{{0, 0.2}, {0.5, 0.2}}, 1, 0}}, "curve 1, point 1", inside},
         {{{{{0.2, 0.2}, {0.5, 0.2}, {1, 0.3}}, 1, 0}}, "curve 0, point 0", inside},
-        // An end on the middle of another curve is no junction.
+        // A curve that ends inside an edge of another curve does not form a junction.
         {{across, {{{0.5, 0.5}, {0.5, 1}}, 1, 0}}, "curve 1, point 0", inside},
         {{{{{0, 0.5}, {std::nextafter(0.5, 0), 0.5}}, 1, 0}, right}, "curve 0, point 1", inside},
     });
     EXPECT_NO_THROW(build(std::vector<Curve>{{{{0, 0.5}, {0.5, 0.5}}, 1, 0}, right}));
 }
 
-// What a contact is, geometry/contacts_test.cpp says.
+// Messages of contacts; geometry/contacts_test.cpp tests how they are found.
 TEST(InitialErrors, Contacts) {
     expect_refused<double, Shape>({
         {{{{{0.2, 0.2}, {0.6, 0.6}, {0.6, 0.2}, {0.2, 0.6}}, 1}},
@@ -174,18 +174,18 @@ TEST(InitialErrors, Contacts) {
     const double beside = std::nextafter(0.4, 1);
     expect_refused<double, Curve>({
         {{across, {{{0.5, 0}, {0.5, 1}}, 1, 0}}, "curve 0, edge 0", "contact with curve 1, edge 0"},
-        // The ends of two curves on a point of a third that is no end.
+        // Two curves end on an inner point of a third.
         {{{{{0, 0.2}, {0.5, 0.5}, {1, 0.2}}, 0, 1},
           {{{0, 0.8}, {0.5, 0.5}}, 1, 0},
           {{{0.5, 0.5}, {1, 0.8}}, 1, 0}},
          "curve 0, edge 0",
          "contact with curve 1, edge 0"},
-        // A point beside an edge by less than rounding moves the points that cut it.
+        // A point is so close to an edge that rounding could move the edge's new points across it.
         {{{{{0.2, 0}, {0.6, 1}}, 1, 0}, {{{1, 0.3}, {0.4, 0.5}, {1, 0.7}}, 1, 0}},
          "curve 0, edge 0",
          "contact with curve 1, edge 0"},
     });
-    // A point exactly on an edge whose pieces are moved away from it, to one side or the other.
+    // A point lies exactly on an edge, whose pieces are rounded to one or the other side of it.
     for (const double side : {0.0, 1.0}) {
         const Curve tip{{{0.2, side}, {0.25, 0.34375}, {0.3, side}}, 1, 0};
         expect_refused<double, Curve>(
@@ -213,7 +213,7 @@ TEST(InitialErrors, Phases) {
          "curve 1",
          "two phases for one region: got phase 2 on the right of curve 1, phase 1 on the left of "
          "curve 0"},
-        // A bridge between two rings has one region on both sides.
+        // A bridge between two rings has the same region on both sides.
         {{ring(0.2), ring(0.6), {{{0.2, 0.5}, {0, 0.5}}, 1, 0}},
          "curve 2",
          "two phases for one region"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The interface is led through every vertex that lies on it.
+// Recovered segments pass through every vertex that lies on them.
 #include "dsc/initial/build/insertion.h"
 #include "dsc/initial/build/interface.h"
 #include "dsc/initial/build/lattice.h"
@@ -14,7 +14,7 @@
 namespace dsc::segments_test {
 namespace {
 
-// Segments through a triangulation that knows nothing of them.
+// Segments across a triangulation that was made without them.
 TEST(Segments, AreRecoveredThroughAnything) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         std::mt19937 random(seed);
@@ -27,7 +27,7 @@ TEST(Segments, AreRecoveredThroughAnything) {
             return initial::insert_point(complex, initial::locate(complex, 1, p), p, stack);
         };
         for (int i = 0; i < 120; ++i) {
-            // Also many points on one line, which is what a segment may run along.
+            // Many points lie on one line, along which a segment may run.
             insert(i % 3 == 0 ? Point<double>(std::round(64 * share(random)) / 64, 0.5)
                               : Point<double>(share(random), share(random)));
         }

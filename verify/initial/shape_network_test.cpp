@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shapes that touch each other, lie in each other and reach beyond the domain: the area of each
-// phase, and what the sides of the interface are.
+// Shapes that touch each other, lie inside each other and reach beyond the domain: areas of phases,
+// and the phases on both sides of the interface.
 #include "dsc/initial/initial_complex.h"
 #include "shapes/outline.h"
 #include "shapes/voronoi_diagram.h"
@@ -56,7 +56,7 @@ TEST(ShapeNetwork, HolesByTheEvenOddRule) {
     expect_areas({{outer, 1, {box(0.3, 0.3, 0.4, 0.4), box(0.45, 0.45, 0.1, 0.1)}}}, {{1, 0.21}});
     expect_areas({{outer, 1}, {box(0.3, 0.3, 0.4, 0.4), 1}, {box(0.45, 0.45, 0.1, 0.1), 1}},
                  {{1, 0.21}});
-    // In a hole is what is around the shape, or what lies in it.
+    // A hole has the phase that surrounds the shape, or that of a shape in the hole.
     expect_areas({{box(0.1, 0.1, 0.8, 0.8), 2}, {outer, 1, {hole}}}, {{1, 0.32}, {2, 0.32}});
     expect_areas({{outer, 1, {hole}}, {hole, 2}}, {{1, 0.32}, {2, 0.04}});
     expect_areas({{outer, 1}, {hole, 1}, {hole, 2}}, {{1, 0.32}, {2, 0.04}});
@@ -85,7 +85,7 @@ TEST(ShapeNetwork, TheSidesOfTheDomain) {
     expect_areas({{box(-1, -1, 3, 3), 1}}, {{1, 1}});
     expect_areas({{box(-1, -1, 3, 3), 2}, {box(0.5, 0.5, 1e-3, 1e-3), 1}}, {{2, 1}});
     expect_areas({{{{0, 0.5}, {0.5, 0.3}, {0.5, 0.7}}, 1}}, {{1, 0.1}});
-    // Both edges of a border beyond the domain are cut at the same point.
+    // The edges of two shapes along a shared border are clipped at the same point.
     expect_areas(
         {{{{0.4, 0.5}, {1.3, 0.9}, {0.4, 0.9}}, 1}, {{{0.4, 0.5}, {1.3, 0.9}, {1.3, 0.5}}, 2}},
         {{1, 0.16}, {2, 0.08}});
@@ -144,8 +144,8 @@ TEST(ShapeNetwork, CellsOfAVoronoiDiagram) {
     EXPECT_GE(kept + 4 * report.thinned, cells.size());
 }
 
-// Gaps and overlaps between halves of the domain, of a tenth of an edge length: straight, and with
-// borders that cross each other, so that they take turns.
+// Gaps and overlaps of a tenth of an edge length between two halves of the domain: along straight
+// borders, and along wavy borders that cross, so that gaps and overlaps alternate.
 TEST(ShapeNetwork, GapsAndOverlapsGoToTheNeighbourThatIsNamed) {
     constexpr double h = 0.05;
     const auto halves = [](double gap) {
@@ -160,7 +160,7 @@ TEST(ShapeNetwork, GapsAndOverlapsGoToTheNeighbourThatIsNamed) {
         EXPECT_THROW((void)areas(halves(gap), nullptr, 1e-3, h, Coverage::whole), InputError);
     }
     EXPECT_NEAR(areas(halves(0), nullptr, 1e-3, h, Coverage::whole).at(1), 0.5, 1e-13);
-    // A lake and the sea are no gaps.
+    // Neither a hole nor the surroundings of an island count as gaps.
     const std::vector<Shape> island{{box(0.2, 0.2, 0.6, 0.6), 1, {box(0.4, 0.4, 0.2, 0.2)}}};
     EXPECT_NEAR(areas(island, nullptr, 1e-3, h, Coverage::whole).at(1), 0.32, 1e-13);
 
@@ -196,8 +196,8 @@ TEST(ShapeNetwork, PartsThatTouchNothingKeepTheirBits) {
     }
 }
 
-// Four cells that nearly meet in a point, with a border of a tenth of an edge length in between;
-// and a cell of that size where three others meet.
+// Four cells that nearly meet in a point, with a border of a tenth of an edge length between two of
+// them; and a cell of that size where three others meet.
 TEST(ShapeNetwork, JunctionsTooCloseForTheMeshBecomeOne) {
     constexpr double e = 0.0025;
     const Point<double> low(0.5, 0.5 - e);
@@ -208,7 +208,7 @@ TEST(ShapeNetwork, JunctionsTooCloseForTheMeshBecomeOne) {
     const std::vector<Shape> four{
         {left, 1}, {right, 2}, {{{0, 0}, {1, 0}, low}, 3}, {{{0, 1}, high, {1, 1}}, 4}};
     for (const auto& [phase, area] : areas(four, &report)) {
-        EXPECT_NEAR(area, 0.25, 1e-12) << phase; // as if they met in the middle
+        EXPECT_NEAR(area, 0.25, 1e-12) << phase; // as if all four met in the middle
     }
     EXPECT_EQ(report.thinned, 1U);
     EXPECT_EQ(report.dropped, 0U);

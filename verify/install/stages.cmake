@@ -9,13 +9,13 @@ function(stage name)
     message(STATUS "${name}: done")
 endfunction()
 
-# From nothing, so that a header that is no longer installed is missed.
+# Starts from an empty folder, so that headers that are no longer installed are found missing.
 file(REMOVE_RECURSE ${work})
 set(prefix ${work}/prefix)
 stage(install ${CMAKE_COMMAND} --install ${library} --prefix ${prefix})
 
-# Headers: what an installed one includes is there, and each but dsc.h, engine.h and those of the modules that
-# have their name is included by another. Nothing but dsc/ is below include/.
+# Every header that an installed header includes is installed, and every header except dsc.h,
+# engine.h and MODULE/MODULE.h is included by another. Nothing but dsc/ is below include/.
 set(modules dsc3 fluid geometric_flows replay thesis topology)
 if(EXISTS ${prefix}/include/dsc/surface_files)
     list(APPEND modules surface_files)
@@ -111,7 +111,7 @@ foreach(module IN LISTS modules ITEMS space)
     stage(run-${module} ${CMAKE_COMMAND} -E chdir ${work} ${work}/modules/${module})
 endforeach()
 
-# The library's bits do not depend on how its user is compiled.
+# The library's results are bitwise the same, whichever flags its user is compiled with.
 if(build_type STREQUAL "Release")
     stage(configure-native ${CMAKE_COMMAND} -S ${source}/modules -B ${work}/native ${options}
         -D CMAKE_CXX_FLAGS=-march=native)
@@ -129,7 +129,7 @@ if(NOT found MATCHES "${prefix}")
     message(FATAL_ERROR "stage configure found another library: ${found}")
 endif()
 
-# As if it had been installed a second time, elsewhere.
+# A second installation elsewhere, for the test of uninstall.cmake.
 file(COPY ${prefix}/ DESTINATION ${work}/second)
 file(GLOB_RECURSE manifest ${work}/second/*)
 list(JOIN manifest "\n" manifest)

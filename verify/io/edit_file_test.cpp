@@ -15,7 +15,7 @@
 namespace dsc::edit_file_test {
 namespace {
 
-// In a folder for temporary files, where one of an earlier run may have been left.
+// A path in the folder of temporary files; a file of an earlier run may be there.
 std::string path_of(const std::string& name) {
     std::string path = testing::TempDir() + "dsc_" + name;
     std::filesystem::remove(path);
@@ -92,8 +92,8 @@ TEST(EditFile, SaysWhatIsWrong) {
     EXPECT_NE(problem_of(path).find("not a log of edits"), std::string::npos);
     write_edits(path, some_edits());
     const std::string whole = read(path);
-    // Cut off anywhere, at the end of a line or within one; only the last line break may be
-    // missing.
+    // Logs truncated at any place, at the end of a line or within one, are refused; only the last
+    // line break may be missing.
     for (std::size_t length = 0; length + 1 < whole.size(); length += 7) {
         write(path, whole.substr(0, length));
         EXPECT_NE(problem_of(path), "read without a word") << length << " bytes";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures, ParaView files and sealed ones: complete, exact, and there whole or not at all. That
-// programs can read them, the tests of frames say in Python.
+// Pictures, ParaView files and sealed files are complete, exact, and written atomically. Python
+// tests check that other programs can read them.
 #include "dsc/io/appended_data.h"
 #include "dsc/io/pictures.h"
 
@@ -57,7 +57,7 @@ std::size_t count(const std::string& text, const std::string& what) {
 
 Complex<double> scene() {
     auto complex = grid<double>(6, 0.15, 2, 2);
-    remove(complex, SimplexSet({}, {}, {Triangle{40}})); // free ids: numbers differ from ids
+    remove(complex, SimplexSet({}, {}, {Triangle{40}})); // free ids: numbers in files are not ids
     remove(complex, SimplexSet({Vertex{8}}, {}, {}));
     return complex;
 }
@@ -126,7 +126,7 @@ TEST_F(Io, SvgOptions) {
     EXPECT_EQ(files(), 1U);
 }
 
-// What other programs read, vtu_readers_test.py says.
+// vtu_readers_test.py reads such files with other programs.
 TEST_F(Io, VtuTakesWhatAttributesItCanAndNamesEachOnce) {
     auto complex = grid<double>(2);
     complex.attributes.add<Triangle>("phase", 7.0);
@@ -154,7 +154,7 @@ TEST_F(Io, NoFolderNoFile) {
         EXPECT_NE(std::string(error.what()).find("No such file"), std::string::npos);
     }
     EXPECT_THROW(write_vtu(complex, path("missing/mesh.vtu")), FileError);
-    // The place is a folder that is not empty: nothing can be renamed onto it.
+    // The target is a folder that is not empty, so no file can be renamed to it.
     fs::create_directories(folder / "full.vtu" / "more");
     EXPECT_THROW(write_vtu(complex, path("full.vtu")), FileError);
     EXPECT_FALSE(fs::exists(path("full.vtu.part")));
@@ -217,7 +217,7 @@ TEST_F(Io, ASealedFileReadsBackAndTellsWhatIsWrong) {
     EXPECT_THROW((void)read_sealed(path("a"), {.name = "another", .version = 3}), FileError);
     EXPECT_THROW((void)read_sealed(path("none"), kind), FileError);
     const std::string whole = read("a");
-    for (std::size_t at = 0; at < whole.size(); ++at) { // any byte: the reserved ones as well
+    for (std::size_t at = 0; at < whole.size(); ++at) { // every byte, including the reserved ones
         std::string damaged = whole;
         damaged[at] = static_cast<char>(damaged[at] ^ 1);
         std::ofstream(path("b"), std::ios::binary) << damaged;

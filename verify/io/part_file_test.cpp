@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where files go: writers of one path, links, streams, and what is refused.
-// `AFullDiskLeavesTheOldFile` in io_test.cpp is about errors on the way.
+// Atomic file writes: several writers of one path, links, streams, and refusals.
+// `AFullDiskLeavesTheOldFile` in io_test.cpp tests errors during writing.
 #include "dsc/io/part_file.h"
 
 #include "dsc/base/error.h"
@@ -22,11 +22,11 @@
 
 namespace {
 
-std::vector<std::string>* synced = nullptr; // paths, while somebody wants to know
+std::vector<std::string>* synced = nullptr; // receives the paths passed to fsync, if not null
 
 } // namespace
 
-// In place of that of the C library.
+// Replaces fsync of the C library, to record its calls.
 extern "C" int fsync(int descriptor) {
     if (synced != nullptr) {
         synced->push_back(
@@ -55,7 +55,7 @@ protected:
         file << text;
         file.commit();
     }
-    // Of all folders, with their names from here.
+    // The files of all folders, as paths relative to `folder`.
     [[nodiscard]] std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -148,7 +148,8 @@ TEST_F(PartFiles, TheFolderIsSyncedInWhichTheFileIs) {
 TEST_F(PartFiles, APipeIsWrittenTo) {
     const std::string pipe = path("pipe");
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    // Open for reading as well, so that a writer that goes past the pipe leaves nobody waiting.
+    // Opened for reading and writing, so that this test does not block if the writer wrongly
+    // replaces the pipe.
     const int reader = open(pipe.c_str(), O_RDWR);
     write(pipe, "text");
     EXPECT_TRUE(fs::is_fifo(pipe));

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Frames as other programs read them: meshio finds the numbers that belong to each place, and VTK, where it is
-installed, the same ones, bit by bit.
+"""Frames as other programs read them: meshio finds the right value at each position, and VTK, if installed,
+bitwise the same values.
 
 The environment names the build (DSC_BUILD).
 """
@@ -57,7 +57,7 @@ class Readers(unittest.TestCase):
         self.assertEqual(found.tobytes(), expected.tobytes(), name)
 
     def expect_values_in_their_places(self, own, is_first):
-        """Of triangles and vertices: what follows from where they lie."""
+        """Data of triangles and vertices that follow from their positions."""
         near = 1e-12 if own.points.dtype == numpy.float64 else 1e-5
         corners = own.points[own.cells][:, :, :2].astype(float)
         sides = numpy.roll(corners, -1, 1) - corners

@@ -53,7 +53,7 @@ TEST(Hausdorff, ClosedForms) {
 }
 
 double sampled_distance(const Outline& from, const Outline& to, int samples) {
-    // Plain numbers: vectors of Eigen take ten times as long where nothing is optimised.
+    // Uses plain numbers, because Eigen's vectors take ten times as long without optimisation.
     struct Edge {
         double x, y, along_x, along_y, squared;
     };

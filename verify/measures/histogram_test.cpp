@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Histograms, and their distance, by hand.
+// Histograms and their distance, against values computed by hand.
 #include "measures/histogram.h"
 
 #include "dsc/base/error.h"

@@ -36,7 +36,7 @@ double farthest_from_circle(const std::vector<Outline>& outlines, double radius)
     return farthest;
 }
 
-// 1 / 64^2 is what the chords of the cubic leave of the error of those of the complex.
+// With 64 chords for each edge, the chords of the cubic have 1 / 64^2 of the error of the edges.
 TEST(InterfaceOutlines, OfADiscAreNearerToTheCircleByTheCubic) {
     const auto complex = complex_of(circle({0.5, 0.5}, 0.3, 0.04), 0.04);
     const auto chords = interface_outlines(complex);
@@ -52,7 +52,7 @@ TEST(InterfaceOutlines, OfADiscAreNearerToTheCircleByTheCubic) {
     EXPECT_LT(std::abs(signed_area(cubic) - area), 0.01 * std::abs(signed_area(chords) - area));
 }
 
-// Each of the sides is straight, whatever is beyond its corners.
+// The cubic reading of each side is straight: it does not use vertices beyond the corners.
 TEST(InterfaceOutlines, ByTheCubicHaveTheCornersOfASquare) {
     const auto complex = complex_of({{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}}, 0.05);
     const auto cubic = interface_outlines(complex, {.reading = Reading::cubic});
@@ -63,8 +63,8 @@ TEST(InterfaceOutlines, ByTheCubicHaveTheCornersOfASquare) {
     EXPECT_NEAR(signed_area(cubic), 0.16, 1e-14);
 }
 
-// A shape on the domain's lower side, which meets it under all sorts of angles: the side is
-// straight.
+// A shape on the lower side of the domain, which its interface meets at various angles: the side
+// stays straight.
 TEST(InterfaceOutlines, ByTheCubicEndAtTheDomainBoundary) {
     for (const double height : {0.05, 0.1, 0.15, 0.2}) {
         auto complex = initial_complex<double>({}, std::vector<Shape>{}, {.edge_length = 0.1});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turning angles, and where a measure of smoothness is easily fooled.
+// Turning angles, and cases that easily deceive a measure of smoothness.
 #include "dsc/base/error.h"
 #include "flows/exact.h"
 #include "measures/jaggedness.h"
@@ -37,8 +37,8 @@ std::size_t index_of(const Outline& outline, const Point<double>& p) {
 }
 
 TEST(Jaggedness, OfAnInscribedPolygonIsThatOfTheCircle) {
-    // Vertices at very unequal distances, on the circle: each turns by half of both angles beside
-    // it, and so do its projections.
+    // Vertices at very unequal distances on a circle: the turn at each is half the sum of the two
+    // central angles beside it, and so is that of its projections.
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> gap(0.02, 0.3);
     std::vector<double> angles{0.0};
@@ -72,7 +72,7 @@ TEST(Jaggedness, CornersOfTheExactShapeAreNone) {
         const Outline exact = unmoved_shape(slotted_disc_curve({})).outlines.front();
         const Outline polygon = slotted_disc({}, h);
         EXPECT_LE(jaggedness(polygon, exact).largest_excess_deg, 0);
-        // Without the vertices at the corners: two turns instead of one.
+        // Without its corner vertices, the polygon has two turns instead of one at each corner.
         Outline cut;
         const auto corners = slot_corners({});
         for (const Point<double>& p : polygon) {
@@ -90,13 +90,14 @@ TEST(Jaggedness, AFoldExcusesNothing) {
     std::swap(polygon[i], polygon[i + 1]);
     const Jaggedness j = jaggedness(polygon, plain_square);
     EXPECT_NEAR(j.largest_excess_deg, 178.0, 1e-9);
-    // Beside a corner that lies nearer than the fold is long, but not within the fold.
+    // The fold is beside a corner, at a distance shorter than the fold is long, but does not
+    // contain it.
     const Outline beside{{0, 0}, {0.5, 0}, {0.15, 0}, {0.6, 0}, {1, 0}, {1, 1}, {0, 1}};
     EXPECT_NEAR(jaggedness(beside, plain_square).largest_excess_deg, 178.0, 1e-9);
 }
 
 TEST(Jaggedness, TheFarSideOfAFilamentExcusesNothing) {
-    // Every other vertex of the lower side is nearer to the upper one.
+    // Every other vertex of the lower side is nearer to the upper side.
     const Outline exact = rectangle({0, 0}, {1, 0.004}, 0.001);
     Outline polygon = rectangle({0, 0}, {1, 0.004}, 0.05);
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -15,9 +15,9 @@ using namespace dsc::scenes;
 
 constexpr double degree = std::numbers::pi / 180;
 
-// n curves of two edges from vertex 0, in these directions and with these curvatures (to the left),
-// and a phase between each two. Edges have the length h; vertices 2 i + 1 and 2 i + 2 are on curve
-// i.
+// n curves of two edges each from vertex 0, with these directions and curvatures (positive to the
+// left), and a phase between neighbouring curves. Edges have the length h; vertices 2 i + 1 and 2 i
+// + 2 are on curve i.
 Complex<double> star_of(const std::vector<double>& directions_deg,
                         const std::vector<double>& curvatures, double h,
                         const std::vector<Phase>& phases) {
@@ -26,7 +26,8 @@ Complex<double> star_of(const std::vector<double>& directions_deg,
     for (std::uint32_t i = 0; i < n; ++i) {
         Point<double> at(0, 0);
         for (int k = 0; k < 2; ++k) {
-            // The chord from arc length k h on: half a step's turn ahead of the tangent there.
+            // The direction of the chord from arc length k h to (k + 1) h is that of the tangent at
+            // its middle.
             const double angle = directions_deg[i] * degree + curvatures[i] * h * (k + 0.5);
             at += h * Point<double>(std::cos(angle), std::sin(angle));
             points.push_back(at);
@@ -72,7 +73,8 @@ TEST(Junctions, AlsoWhereAPhaseTouchesItself) {
     EXPECT_TRUE(std::isnan(figures.worst_deviation_deg));
 }
 
-// Neither on a curve of two phases, nor where curves end at the domain boundary.
+// A vertex of a curve between two phases is no junction, nor is an end of a curve on the domain
+// boundary.
 TEST(Junctions, AreNowhereElse) {
     EXPECT_TRUE(measure_junctions(grid<float>(8, 0.1, 1, 3)).empty());
     const auto figures = summarise(std::vector<Junction>{});
@@ -85,7 +87,7 @@ TEST(Junctions, AreNowhereElse) {
     EXPECT_TRUE(measure_junctions(K).empty());
 }
 
-// One curve bends away: the angles are off by (h / R)^3 / 4, where chords would be off by h / 2R.
+// One curve bends: the error of the angles is (h / R)^3 / 4; that of the chords would be h / 2R.
 TEST(Junctions, AnglesAreReadFromTheCurves) {
     const double h = 0.1;
     const double error = std::pow(h, 3) / 4 / degree;

@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A circle that is too large, in a mesh that does not matter.
+// A circle that is larger than the exact one; the mesh does not matter.
 struct TooLarge {
     Complex<float> mesh = initial_complex<float>({}, {}, {.edge_length = 0.5});
     ExactShape exact = exact_circle({0.5, 0.5}, 0.2);
@@ -73,7 +73,8 @@ TEST(Measures, WithoutAnExactShapeSayNothingOfIt) {
     }
 }
 
-// A list of one's own: a measure may rest on those before it, and may say several things.
+// A list of measures by an application: a measure may use earlier ones, and may have several
+// figures.
 TEST(Measures, MayRestOnEachOther) {
     const TooLarge large;
     const std::vector<Measure> list{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meter of the mesh on meshes whose faults are known: it must not say that all is well.
+// The measurement of mesh quality must detect known faults.
 #include "measures/mesh_quality.h"
 
 #include "dsc/algorithm/simulation.h"
@@ -55,14 +55,15 @@ TEST(MeshQuality, IsThatOfTheWorstTriangleWhereverItIs) {
     }
 }
 
-// A bound rules out most triangles: the answer is bitwise identical to that of a look at each.
+// Most triangles are skipped by a bound; the result must be bitwise identical to that of measuring
+// each triangle.
 template <class Real>
 void expect_a_look_at_each(double size) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> away(-1.1, 1.1);
     for (int i = 0; i < 3000; ++i) {
         auto moved = test::hexagon<Real>();
-        // Near an edge or a vertex now and then, and now and then on it.
+        // Sometimes near an edge or a vertex, and sometimes exactly on it.
         moved.set_position(Vertex{0}, {static_cast<Real>(i % 5 == 0 ? 1 : away(random)),
                                        static_cast<Real>((i % 3 == 0 ? 1e-9 : 1) * away(random))});
         MeshQuality expected;
@@ -89,7 +90,7 @@ TEST(MeshQuality, IsThatOfALookAtEachTriangle) {
     }
 }
 
-// Turns two triangles of a hexagon over, in its first run.
+// Inverts two triangles of a hexagon, in its first run.
 class TurnsOver : public Stage<double> {
 public:
     void run(const Between<double>& between) override {
@@ -102,7 +103,7 @@ private:
     bool is_first_ = true;
 };
 
-// What was inverted counts until it no longer is; the least quality stays.
+// Inverted triangles are counted until they are mended; the worst quality so far is kept.
 TEST(QualityWatch, LooksAtWhatStagesDo) {
     auto complex = test::hexagon<double>();
     Simulation<double> simulation(complex, {.edge_length = 1});
@@ -117,7 +118,7 @@ TEST(QualityWatch, LooksAtWhatStagesDo) {
     EXPECT_EQ(beyond.inverted, 2U);
     EXPECT_LT(beyond.min_quality, 0);
     EXPECT_EQ(watch.look().inverted, 2U) << "nothing was touched in between";
-    for (int step = 1; step < 4; ++step) { // what the mesh update makes of it
+    for (int step = 1; step < 4; ++step) { // the mesh update changes the inverted triangles
         simulation.step(at_rest, step, 1);
         const MeshQuality after = watch.look();
         EXPECT_EQ(after.inverted, measure_worst(complex).inverted);
@@ -125,7 +126,7 @@ TEST(QualityWatch, LooksAtWhatStagesDo) {
     }
 }
 
-// After every step bitwise identical to a look at the whole mesh.
+// After every step, the watched figures are bitwise identical to those of the whole mesh.
 template <class Real>
 void expect_a_look_at_all(const Options<Real>& options, const Division* division,
                           const TopologyOptions<Real>& topology = {}) {
@@ -139,7 +140,7 @@ void expect_a_look_at_all(const Options<Real>& options, const Division* division
         simulation.add_stage(std::make_shared<TopologyStage<Real>>(topology));
     }
     QualityWatch<Real> watch(simulation);
-    // Draws the disc out to two drops with a neck between them, and back.
+    // Stretches the disc to two drops with a neck between them, and back.
     const dsc::Velocity<Real> squeeze = [](auto positions, Real time, auto velocities) {
         const Real speed = time < Real(0.5) ? 1 : -1;
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -181,7 +182,8 @@ TEST(QualityWatch, IsALookAtAllAfterEachStep) {
     expect_a_look_at_all<float>(in_float, &cells_division);
 }
 
-// A mesh that is restored may be worse than what was looked at.
+// A restored mesh may be worse than the mesh that was measured before, so it is measured as a
+// whole.
 TEST(QualityWatch, LooksAtAllAfterARestore) {
     auto worse = test::disc_complex<double>(0.03);
     auto complex = worse;
@@ -207,7 +209,7 @@ TEST(QualityWatch, LooksAtAllAfterARestore) {
     EXPECT_EQ(watch.look().min_quality, all);
 }
 
-// An application that asks for a watch and never takes what was found.
+// The list of poor stars does not grow without bound if an application never takes it.
 TEST(QualityWatch, ListsNoMoreThanTheMeshHasTriangles) {
     auto complex = test::disc_complex<double>(0.1);
     Options<double> options;

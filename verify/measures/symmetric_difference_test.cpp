@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The measures judge everything else, so they are judged here: against closed forms, against
-// slower methods that share no code with them, and where inputs are degenerate.
+// All other tests rely on these measures, so they are checked against closed forms, against slower
+// methods that share no code with them, and for degenerate inputs.
 #include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
@@ -54,8 +54,8 @@ bool even_odd_inside(const Point<double>& p, const Outline& outline) {
     return inside;
 }
 
-/// Every edge of `of` cut at every edge of both, O(n^2); each piece bounds the difference on the
-/// one side or the other. Only for outlines in general position, and simple ones.
+/// Cuts every edge of `of` at all edges of both outlines, O(n^2), and adds the pieces that bound
+/// the difference. Only for simple outlines in general position.
 double half_of_difference(const Outline& of, const Outline& other) {
     double doubled = 0.0;
     for (std::size_t i = 0; i < of.size(); ++i) {
@@ -125,8 +125,7 @@ TEST(SymmetricDifference, AgreesWithBruteForceOnRandomStars) {
 }
 
 TEST(SymmetricDifference, NearlyCoincidentCurvesKeepTheirDigits) {
-    // Noise of 1e-9 at each vertex: some hundred thousandths of the edge length, crossings all
-    // over.
+    // Noise at each vertex, down to 1e-7 edge lengths, so that the outlines cross everywhere.
     Random random(3);
     for (const double noise : {1e-3, 1e-6, 1e-9}) {
         const Outline p = circle({0.1, 0.2}, 0.7, 0.012);

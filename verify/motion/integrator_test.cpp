@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integrators keep their orders, in place and in time.
+// The integrators have their orders, for velocities that depend on position and on time.
 #include "dsc/motion/integrator.h"
 
 #include "support/pointwise.h"
@@ -12,7 +12,7 @@
 namespace dsc::integrator_test {
 namespace {
 
-// A turn about the origin whose speed changes: by sin(t) from time 0 to t.
+// A rotation about the origin with changing speed: by the angle sin(t) from time 0 to t.
 const Velocity<double> changing_turn = test::pointwise([](const Point<double>& p, double time) {
     return Point<double>(std::cos(time) * Point<double>(-p.y(), p.x()));
 });

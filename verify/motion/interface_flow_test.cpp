@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals, curvature and lengths of curves of which nothing but the vertices is known.
+// Normals, curvature and lengths of curves that are known only by their vertices.
 #include "dsc/motion/interface_flow.h"
 
 #include <gtest/gtest.h>
@@ -138,7 +138,7 @@ TEST(InterfaceFlow, WhereNeighboursCoincideThereIsNoNormal) {
     EXPECT_EQ(normal(curve.view(), 1), Point<double>(0, 0));
     EXPECT_EQ(normal(curve.view(), 2), Point<double>(0, 0));
     EXPECT_EQ(curvature(curve.view(), 1), 0);
-    // There and back: no circle either.
+    // A curve that folds back onto itself does not define a circle either.
     Polygon<double> spike({{0, 0}, {1, 0}, {0, 0}, {-1, 0}});
     EXPECT_EQ(normal(spike.view(), 1), Point<double>(0, 0));
 }

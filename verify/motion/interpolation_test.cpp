@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The insertion of vertices: on the polynomial in the chord's length, so of fourth order on smooth
-// curves, and linear where the curve has a corner.
+// The insertion of vertices: on a cubic polynomial in chord length, so of fourth order on smooth
+// curves, and linear beside corners.
 #include "dsc/motion/interpolation.h"
 
 #include "support/pointwise.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Wide = Eigen::Matrix<long double, 2, 1>;
 
-// Newton's divided differences, in long double: another form of the same polynomial.
+// The same polynomial by Newton's divided differences, in long double.
 Wide newton(const std::vector<Wide>& points, const std::vector<long double>& knots,
             long double at) {
     std::vector<Wide> table = points;
@@ -104,8 +104,7 @@ TYPED_TEST(Interpolation, IsTheMidpointBetweenTwoCorners) {
     }
 }
 
-// The remeshing itself: at a corner of the outline the neighbour beyond is not used; elsewhere it
-// is.
+// Interface remeshing does not use the neighbour beyond a corner of the outline; elsewhere it does.
 TEST(CubicInsertion, DoesNotLookAroundCorners) {
     const std::vector<Point<double>> square{{0.35, 0.35}, {0.65, 0.35}, {0.65, 0.65}, {0.35, 0.65}};
     const std::vector<Shape> shapes{{square, 1}};
@@ -144,7 +143,7 @@ TEST(CubicInsertion, DoesNotLookAroundCorners) {
     EXPECT_EQ(around, 0);
     EXPECT_GT(smooth, 10);
     EXPECT_GE(cornered, 4);
-    // So the square is still one.
+    // The square must keep its shape.
     for (const std::uint32_t v : simulation.interface()) {
         const Point<double> d = (complex.position(Vertex{v}) - centre).cwiseAbs();
         EXPECT_NEAR(d.maxCoeff(), half, 1e-9);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far a vertex may go: as far as its star keeps a shape, and never to where rounding has turned
-// a triangle over.
+// The move limit: a vertex moves as far as the triangles of its star keep their shape, and never so
+// that rounding inverts a triangle.
 #include "dsc/complex/gather.h"
 #include "dsc/motion/movement.h"
 
@@ -15,7 +15,7 @@
 namespace dsc::movement_test {
 namespace {
 
-// The least altitude over base of the triangles about vertex 0.
+// The smallest ratio of altitude to base among the triangles about vertex 0.
 double min_shape(const Complex<double>& complex) {
     double least = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
@@ -46,15 +46,15 @@ TEST(Movement, KeepsAltitudesOverBases) {
         const Point<double> far(3 * std::cos(angle), 3 * std::sin(angle));
         EXPECT_EQ(move_centre(complex, far), MoveOutcome::partly);
         EXPECT_NEAR(min_shape(complex), altitude_floor, 1e-9);
-        // What is flat already may lose a part of it, each time.
+        // A flat triangle may become flatter by a fraction in each move.
         const double before = min_shape(complex);
         (void)move_centre(complex, far);
         EXPECT_GE(min_shape(complex), altitude_keep * before * (1 - 1e-9));
     }
 }
 
-// Where coordinates are whole numbers, a place between two of them is rounded to one, which may lie
-// beyond the edge.
+// Coordinates so large that only whole numbers are representable: a target between two of them is
+// rounded to one that may lie beyond the edge.
 TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
     constexpr double far = 4503599627370496.0; // 2^52: the spacing is 1
     int partly = 0;
@@ -82,7 +82,7 @@ TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
     EXPECT_GT(partly, 20);
 }
 
-// Of a square's sides, the rates at which areas change towards such places are no numbers either.
+// Towards positions that are not finite, the rates of change of the areas are NaN.
 TEST(Movement, RefusesWhatIsNotFinite) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();

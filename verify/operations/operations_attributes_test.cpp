@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random sequences of operations on random complexes: the data of vertices, edges and triangles
-// follow as attributes.h promises. What they must be is worked out from the complex as it was
-// before and from vertex ids, without a look at how the records were rewritten. A class defined by
-// the application, a quantity that no operation may lose, is carried through all of them and
-// through steps.
+// follow as attributes.h promises. Expected values are computed from the complex before the
+// operation and from vertex ids, independently of how records are rewritten. An attribute class of
+// the application, a conserved quantity, goes through all operations and through steps.
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
@@ -32,8 +31,8 @@
 namespace dsc::test::operations_attributes_test {
 namespace {
 
-/// A quantity of the triangles that moves with the area: divided where a triangle is cut or two are
-/// flipped, handed over where one vanishes.
+/// A conserved quantity of triangles: divided in proportion to area if a triangle is cut or two are
+/// flipped, and given to neighbours if one vanishes.
 class Conserved final : public AttributeBase {
 public:
     explicit Conserved(std::string name) : AttributeBase(std::move(name), SimplexKind::triangle) {}
@@ -88,9 +87,9 @@ double total(const Complex<Real>& complex, Conserved& mass) {
     return sum;
 }
 
-// What an operation did, in terms of vertices and edges that lived before.
+// The effect of an operation, in terms of vertices and edges that existed before.
 struct Change {
-    Vertex made{}; // on the edge `split`, at this share of it
+    Vertex made{}; // made on the edge `split`, at this fraction of it
     Edge split{};
     double share = 0;
     Vertex gone{}, kept{};   // of a collapse
@@ -108,8 +107,8 @@ public:
           triangle_(complex.attributes.template add<Triangle, double>("triangle")),
           mass_(complex.attributes.add(std::make_unique<Conserved>("mass"))) {}
 
-    // Fresh distinct values everywhere, in free ids as well: stale ones of earlier operations must
-    // not help.
+    // Writes new, distinct values everywhere, also in free ids, so that values left by earlier
+    // operations cannot make a test pass.
     void write() {
         for (auto* list : {&vertex_.data(), &edge_.data(), &triangle_.data()}) {
             std::ranges::generate(*list, [&] { return ++counter_; });
@@ -134,7 +133,7 @@ public:
             }
         }
         for (const Triangle t : triangles(complex_)) {
-            Triangle whole = t; // a part comes from the triangle that had its apex
+            Triangle whole = t; // a part of a cut triangle has the data of the whole
             if (change.made.is_valid() && contains(t, change.made)) {
                 const Corner c = change.split.id;
                 const bool is_here = contains(t, Vertex{before.vertex(c)});
@@ -144,7 +143,8 @@ public:
         }
     }
 
-    // An edge of a retriangulated polygon may be new even if its ends had one before.
+    // An edge of a retriangulated polygon may have the default, even if its two ends had an edge
+    // before.
     void expect_edges_followed(const Complex<Real>& before, const Change& change) const {
         const auto& edge = before.attributes.template get<Edge, double>("edge");
         for (const Edge e : edges(complex_)) {
@@ -157,8 +157,8 @@ public:
         }
     }
 
-    // Cuts and flips keep a density of one: each triangle has its area. Where vertices go, the
-    // total stays.
+    // Cuts and flips keep a density of 1, so each triangle's value is its area. If vertices are
+    // removed, only the total stays.
     void expect_conserved(bool are_there_all_vertices) const {
         EXPECT_NEAR(total(complex_, mass_), whole_, rounding * whole_);
         for (const Triangle t : triangles(complex_)) {
@@ -175,7 +175,7 @@ private:
         return std::ranges::count(complex_.triangles[t.id].v, v.id) == 1;
     }
 
-    // The edge whose data an edge has, or none.
+    // The earlier edge whose data an edge must have, or none.
     Edge origin_of(Edge e, const Complex<Real>& before, const Change& change) const {
         const auto old = [&](Vertex a, Vertex b) {
             return before.is_alive(a) && before.is_alive(b) ? before.find_edge(a, b) : Edge{};
@@ -215,7 +215,7 @@ TYPED_TEST(OperationsStorm, CarriesAttributesAlong) {
         Random random(seed);
         RandomComplexOptions options = random_options(seed, 40);
         options.scramble = 0;
-        options.at_resolution = false; // rounded places do not keep the area
+        options.at_resolution = false; // rounded positions would change the area
         auto K = random_complex<TypeParam>(seed, options);
         Data<TypeParam> data(K);
         for (int step = 0; step < 60; ++step) {
@@ -266,14 +266,14 @@ TYPED_TEST(OperationsStorm, CarriesAttributesAlong) {
     EXPECT_GT(std::ranges::min(done), 12) << "an operation was hardly tested";
 }
 
-// A point off the edge counts by the nearest point of the edge.
+// For a point beside the edge, the nearest point of the edge counts.
 TEST(Blending, OfAVertexBesideItsEdge) {
     EXPECT_EQ((rewire::split_fraction<double>({0.25, 0.5}, {0, 0}, {1, 0})), 0.25);
     EXPECT_EQ((rewire::split_fraction<double>({2, 0.5}, {0, 0}, {1, 0})), 1);
 }
 
-// The reference stays valid in steps, in place and through copies; and in a copy of the complex,
-// and through a renumbering.
+// A reference to an attribute stays valid through steps, in place and with copied submeshes,
+// through a renumbering, and after the complex is copied.
 TEST(OwnAttributes, FollowASimulation) {
     constexpr double h = 0.05;
     for (const bool by_copies : {false, true}) {
@@ -302,7 +302,7 @@ TEST(OwnAttributes, FollowASimulation) {
 
 // --- attributes that throw -----------------------------------------------------------------------
 
-// A type whose copies and blends throw when the countdown ends.
+// A type whose copies and blends throw when a countdown ends.
 struct Fragile {
     static inline int countdown = -1;
     static void touch() {
@@ -336,7 +336,8 @@ Complex<double> with_fragile() {
     return complex;
 }
 
-// Everything but what threw is as without the exception.
+// Checks that the operation is completed: only the data that threw differ from a run without the
+// exception.
 template <class Operate>
 int expect_whole(Operate operate) {
     Fragile::countdown = -1;
@@ -368,7 +369,7 @@ int expect_whole(Operate operate) {
     return thrown;
 }
 
-// The first simplex for which the operation is legal.
+// Applies the operation to the first simplex for which it is legal.
 template <class Simplices, class Operate>
 void on_first(const Simplices& simplices, Operate operate) {
     for (const auto simplex : simplices) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Edge flip, edge split and edge collapse, where their comparison with the reference
-// (reference/equivalence_test.cpp) does not ask: handles of no edge, an end or a place that the
-// application names, ids that run out, and a figure checked by hand for each. A refused operation
-// changes no byte; every result is validated.
+// Edge flip, edge split and edge collapse in cases that the comparison with the reference
+// (reference/equivalence_test.cpp) does not cover: handles of no edge, a given end or position,
+// exhausted ids, and one figure for each, checked by hand. A refused operation changes no byte;
+// every result is validated.
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
 
@@ -58,7 +58,7 @@ TYPED_TEST(Operations, GuardsTakeHandles) {
     }
 }
 
-// Either end may be named, and only that one is tried.
+// Either end may be named; only the named one is collapsed.
 TYPED_TEST(Operations, CollapseMakesTheNamedEndVanish) {
     for (const std::uint32_t v : {5U, 6U}) {
         auto K = grid<TypeParam>(3);
@@ -112,7 +112,8 @@ TYPED_TEST(Operations, SplitCutsBothTriangles) {
     EXPECT_EQ(phase_area(K, 2), 2);
 }
 
-// On the edge, and off it where that inverts nothing: outside, for an edge of the domain boundary.
+// The position may be on the edge, or beside it if no triangle is inverted; for an edge of the
+// domain boundary also outside.
 TYPED_TEST(Operations, SplitTakesAPlace) {
     for (const auto& [from, to, place] :
          {std::tuple{0U, 2U, Point<TypeParam>(TypeParam(0.5), TypeParam(0.75))},
@@ -149,7 +150,7 @@ TYPED_TEST(Operations, SplitNeedsIds) {
 }
 
 TYPED_TEST(Operations, SplitOfTheSmallestTriangleInverts) {
-    // The midpoint of two neighbouring numbers is one of them.
+    // The midpoint of two adjacent floating-point numbers is rounded to one of them.
     const TypeParam one = 1;
     const TypeParam after = std::nextafter(one, TypeParam(2));
     auto K = build<TypeParam>({{one, one}, {after, one}, {one, after}}, {{0, 1, 2}}, {0});

@@ -97,11 +97,11 @@ TYPED_TEST(Smoothing, SlidesToEqualLengthsAndKeepsTheShape) {
 }
 
 TYPED_TEST(Smoothing, TheCurveOfThreePointsWhereTheSubmeshEnds) {
-    // The neighbour beyond the farther one belongs to another submesh: O(h^3).
+    // The vertex beyond the farther neighbour belongs to another submesh: O(h^3).
     std::vector<double> error;
     for (const std::uint32_t n : {24U, 48U, 96U}) {
         const std::uint32_t k = n + n / 8;
-        auto K = rings<TypeParam>(n, 0.4, 1.5); // so k - 1 is the farther one
+        auto K = rings<TypeParam>(n, 0.4, 1.5); // so k - 1 is the farther neighbour
         auto whole = K;
         std::vector<std::uint32_t> labels(3 * n, 1);
         labels[k - 2] = 0;
@@ -135,7 +135,7 @@ TYPED_TEST(Smoothing, SlideIsRefused) {
     expect_refused(K, Verdict::on_submesh_boundary, slide(18), labels);
     K.set_locked(Vertex{18}, true);
     expect_refused(K, Verdict::locked, slide(18));
-    // A turn of 22.5 degrees is a corner to who says so.
+    // A turn of 22.5 degrees is a feature if the options say so.
     expect_refused(K, Verdict::on_interface, slide(18, {.feature_degrees = 10}));
     // A junction: one triangle of a third phase.
     K.set_phase(Triangle{triangle_of(K.vertices[18].corner)}, 7);
@@ -155,8 +155,9 @@ TYPED_TEST(Smoothing, CornersStayAndNoCurveRunsThroughThem) {
         K.set_phase(Triangle{t}, p.x() > 1 && p.x() < 4 && p.y() > 1 && p.y() < 4 ? 1 : 0);
     }
     expect_refused(K, Verdict::on_interface, slide(4 * 7 + 4));
-    // (3, 4) lies between (2, 4) and the corner (4, 4). Shifted along the straight side it comes
-    // back to the middle, exactly on the side: the curve does not go round the corner.
+    // (3, 4) lies between (2, 4) and the corner (4, 4). Moved along the straight side, the vertex
+    // returns to the middle, exactly on the side, because the curve is not continued around the
+    // corner.
     const Vertex v{4 * 7 + 3};
     K.set_position(v, {TypeParam(2.5), 4});
     expect_valid(K);
@@ -183,7 +184,7 @@ TYPED_TEST(Smoothing, TakesAnglesUpToAHalfTurnAndStepsUpToTheWholeWay) {
     }
 }
 
-// Where the star has no area at all, no triangle holds the place: fields keep their values.
+// In a star without area, no triangle contains the new position, so fields keep their values.
 TYPED_TEST(Smoothing, ResamplesNothingInAStarWithoutArea) {
     auto K = hexagon<TypeParam>();
     auto& field = K.attributes.template add<Vertex>("field", 7.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The quick guard of the mesh update says what the guard of the collapse says, star by star.
+// The fast guard of the mesh update agrees with the guard of the edge collapse, for every star.
 #include "support/small_meshes.h"
 
 #include "dsc/base/verdict.h"
@@ -40,7 +40,8 @@ TEST(StarCollapse, IsGuardedAsAnyCollapse) {
                 const Verdict usual =
                     edge_collapse_guard(complex, Region{}, prev(star.corner[i]),
                                         rewire::Vanishing::next, JunctionRule::kept);
-                // Inside one phase, with its whole star, only that can go wrong.
+                // For a vertex inside a phase whose whole star is owned, inversion is the only
+                // possible refusal.
                 const bool is_plain = usual == Verdict::legal || usual == Verdict::inverts;
                 if (is_plain) {
                     EXPECT_EQ(star_collapse_guard(complex, star, i), usual)

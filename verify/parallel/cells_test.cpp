@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where cells are cut: the work is shared, widths are respected, and a colour is not cut where the
-// one before it was.
+// The positions of the cuts between cells: the work is balanced, minimum widths are respected, and
+// a colour is not cut where the previous one was.
 #include "dsc/parallel/partition/cuts.h"
 
 #include "support/random/scene.h"
@@ -21,7 +21,7 @@ using test::Divided;
 using test::random_divided;
 using test::shares_of;
 
-// The distance of a place from the sides of its region.
+// The distance of a point from the sides of its region.
 double depth(const Region& region, const Point<double>& p) {
     return std::min({p.x() - region.low, region.high - p.x(), p.y() - region.side_low,
                      region.side_high - p.y()});
@@ -93,7 +93,7 @@ TEST(Cells, AreNoSmallerThanAllowed) {
     EXPECT_GT(cells, 100U);
 }
 
-// What the first colour left over at its cuts, the second does away from its own cuts.
+// The work that the first colour deferred at its cuts lies away from the cuts of the second colour.
 TEST(Cells, OfTheSecondColourAreCutWhereTheFirstHasNothingLeft) {
     for (const std::uint32_t cells : {2U, 4U, 8U}) {
         constexpr double h = 0.005;
@@ -117,7 +117,7 @@ TEST(Cells, OfTheSecondColourAreCutWhereTheFirstHasNothingLeft) {
     }
 }
 
-// The application need not choose the number of cells; small interfaces are not divided at all.
+// The default number of cells grows with the interface; small interfaces are not divided.
 TEST(Cells, AreAsManyAsPay) {
     std::size_t last = 0;
     for (const double radius : {0.02, 0.1, 0.3, 0.45}) {

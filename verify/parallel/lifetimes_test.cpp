@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A complex is a value: it may be copied, moved from, assigned to, renumbered and repeated at any
-// time, whether a simulation of it lives, has ended, or ends later. In each case it is valid
-// afterwards, and so is the next step of whoever works on it.
+// A complex is a value: it may be copied, moved from, assigned to, renumbered and replayed at any
+// time, while a simulation of it exists and afterwards. In each case it is valid, and further steps
+// are too.
 #include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/stage.h"
 #include "dsc/base/verdict.h"
@@ -34,7 +34,7 @@ using test::Course;
 
 Options<double> disc_options() { return {.edge_length = test::disc_h}; }
 
-// In five submeshes, which hold ids.
+// A simulation in five submeshes, each of which holds a pool of ids.
 std::unique_ptr<Simulation<double>> simulate(Complex<double>& complex, const Course& way) {
     if (way.division == nullptr) {
         return std::make_unique<Simulation<double>>(complex, disc_options());
@@ -49,7 +49,8 @@ void step(Simulation<double>& simulation, int steps) {
     }
 }
 
-// Valid, and its free ids can be used: by edits of the application, and by a run in submeshes.
+// Checks that the complex is valid and that its free ids can be used, by edits of the application
+// and by a run in submeshes.
 void expect_sound(Complex<double>& complex) {
     ASSERT_EQ(validate(complex).problem, "");
     const std::uint32_t triangles = complex.triangle_count();
@@ -152,11 +153,11 @@ TEST_P(Lifetimes, ACopyOfALivingSimulationsComplexIsWhole) {
     (void)renumber(renumbered);
     expect_sound(renumbered);
     expect_sound(copy);
-    step(*simulation, 3); // which the copies do not concern
+    step(*simulation, 3); // the copies do not affect it
     EXPECT_EQ(validate(complex).problem, "");
 }
 
-// A stage may do so too.
+// A stage may renumber the complex too.
 TEST_P(Lifetimes, AStageRenumbersInTheMiddleOfAStep) {
     struct Renumbering : Stage<double> {
         void run(const Between<double>& between) override { (void)renumber(between.complex); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As few slabs as there can be, and divisions that are none.
+// The smallest numbers of slabs, and divisions into a single submesh.
 #include "dsc/base/error.h"
 #include "dsc/parallel/executors.h"
 #include "dsc/parallel/in_place/submesh_executor.h"
@@ -39,7 +39,7 @@ TEST(CutLimits, LaterColoursAreCutAnewInBetween) {
     EXPECT_EQ(due(8), Recut::all);
 }
 
-// The upper side of a square, whose vertices are 1 apart.
+// A list of the vertices on the upper side of a square, which are 1 apart.
 class OnARow : public testing::Test {
 protected:
     OnARow() {
@@ -57,7 +57,8 @@ protected:
     std::vector<float> work;
 };
 
-// A gap in the list is no place where the interface passes from one submesh to the next.
+// Regions meet only where consecutive vertices of the interface belong to different regions, not at
+// a gap in the list.
 TEST_F(OnARow, RegionsMeetWhereTheInterfaceGoesOn) {
     EXPECT_EQ(voronoi_colours(input(1.0 / 3), 2).size(), 1U);
     EXPECT_EQ(voronoi_colours(input(1.0 / 3.5), 2).size(), 1U);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The model of more threads than the machine has, with times that are given: a second for each
-// task.
+// The model of more threads than the machine has, with given times: one second for each task.
 #include "steps/model.h"
 
 #include "dsc/parallel/submesh_view.h"
@@ -22,7 +21,7 @@ struct Profiled {
     double seconds = 0;
 };
 
-// A growing disc in four slabs.
+// Profiles the steps of a growing disc in four slabs.
 Profiled profiled_steps() {
     auto complex = test::disc_complex<double>(h);
     Options<double> options;
@@ -52,7 +51,7 @@ Profiled profiled_steps() {
     return profiled;
 }
 
-// The same with a second for each task, and nothing beside them.
+// The same run with one second for each task, and no time for anything else.
 bench::ModelRun in_seconds(bench::ModelRun run) {
     run.serial_outside.assign(run.serial_outside.size(), 0);
     for (auto& step : run.steps) {
@@ -82,7 +81,7 @@ TEST(Model, TwoWorkersTakeAtLeastHalfOfIt) {
     EXPECT_GE(two.seconds, profiled.tasks / 2);
     EXPECT_LT(two.seconds, 0.75 * profiled.tasks); // four slabs of either colour
     EXPECT_EQ(two.busy_share, profiled.tasks / (2 * two.seconds));
-    // Serial parts and the start of each section come on top.
+    // Serial parts and the start of each section add to the modelled time.
     bench::ModelRun run = in_seconds(profiled.run);
     double sections = 0;
     for (auto& step : run.steps) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is true of every partition: each colour covers the plane without overlap, submeshes that
-// share a place wait for each other, and the same interface is divided in the same way.
+// Properties of every partition: each colour covers the plane without overlap, overlapping
+// submeshes wait for each other, and equal interfaces are divided equally.
 #include "dsc/parallel/partition/partition.h"
 
 #include "support/random/scene.h"
@@ -88,7 +88,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
         several += first >= 3 ? 1 : 0;
         if (seed % 2 == 0) {
             const std::size_t colours = divided.partition.colours.size();
-            divided.divide(*partitioner, Recut::later); // may be requested at any time
+            divided.divide(*partitioner, Recut::later); // later colours may be cut anew at any time
             ASSERT_EQ(divided.regions(0).size(), first);
             ASSERT_EQ(divided.partition.colours.size(), colours);
         }
@@ -105,7 +105,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
                 const auto hint = test::number_in(dice, 0, 40);
                 EXPECT_EQ(colour.locate(no_id, p.x(), p.y(), hint), owners.back());
             }
-            // Submeshes that share a place must wait for each other.
+            // Submeshes that overlap must wait for each other.
             for (std::size_t c = 1; c < owners.size(); ++c) {
                 const Region& one = colours[c - 1].regions[owners[c - 1]];
                 const Region& other = colours[c].regions[owners[c]];
@@ -113,7 +113,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
                     << p.x() << ' ' << p.y() << ", colours " << c - 1 << " and " << c;
             }
         }
-        // Not all wait for all: boxes of one colour are known not to meet.
+        // Not every submesh waits for every other one: boxes of one colour do not meet.
         for (const Colour& colour : colours) {
             for (const Region& a : colour.regions) {
                 for (const Region& b : colour.regions) {
@@ -126,7 +126,7 @@ TEST_P(EveryPartition, CoversThePlaneWithoutOverlap) {
     EXPECT_GE(several, seeds / 2) << "there was little to divide";
 }
 
-// The same for the same input, whichever object divides and however often: no state is left over.
+// Partitioners keep no state: equal inputs are divided equally, by any object and at any call.
 TEST_P(EveryPartition, IsTheSameForTheSameInterface) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

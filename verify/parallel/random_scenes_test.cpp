@@ -15,12 +15,12 @@ namespace dsc::random_scenes_test {
 namespace {
 
 TEST(RandomScenes, AreTheSameForAnyNumberOfThreads) {
-    constexpr std::uint64_t count = 60; // test_fuzz has more, but not under the thread sanitizer
+    constexpr std::uint64_t count = 60; // test_fuzz has more, without the thread sanitizer
     std::uint64_t edits = 0;
     std::size_t in_parallel = 0;
     for (std::uint64_t seed = 1; seed <= count && !HasFailure(); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        std::mt19937_64 random(1000 + seed); // others than those of test_fuzz
+        std::mt19937_64 random(1000 + seed); // other seeds than those of test_fuzz
         std::array<std::uint8_t, 1000> bytes;
         std::ranges::generate(bytes, [&] { return static_cast<std::uint8_t>(random() % 256); });
         fuzz::Steps done;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each task runs once, and never before those that it waits for have ended; an exception in a task
-// is passed on, and the schedule can be used again.
+// Each task runs once, after all its predecessors; an exception in a task is passed on, and the
+// schedule can be used again.
 #include "dsc/parallel/in_place/schedule.h"
 #include "dsc/parallel/submesh_view.h"
 
@@ -125,7 +125,7 @@ TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
     Dice dice(1);
     ThreadPool pool;
     pool.start(6);
-    Schedule schedule; // one for all graphs, larger and smaller ones
+    Schedule schedule; // one schedule is reused for all graphs, larger and smaller ones
     for (int round = 0; round < 60; ++round) {
         schedule.tasks.clear();
         draw_graph(dice, schedule.tasks, round % 3 == 0 ? 40 : 8);
@@ -158,8 +158,8 @@ TEST(Schedule, RunsEachTaskOnceAndAfterItsPredecessors) {
     }
 }
 
-// The first task of thread 0 does not end before all the others of thread 0 have run: another
-// thread must take these over.
+// The first task of thread 0 waits until all other tasks of thread 0 have run, so another thread
+// must take these over.
 TEST(Schedule, TakesOverWhatNobodyHasBegun) {
     ThreadPool pool;
     pool.start(2);
@@ -229,7 +229,7 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndRunsAllButThoseThatWaitForIt) {
                 ASSERT_LT(thrown, size) << "nothing came out";
                 EXPECT_NE(is_faulty[thrown], 0);
                 EXPECT_EQ(record.runs(thrown), 1);
-                std::vector<std::uint8_t> is_lost(is_faulty); // or waits for a task that failed
+                std::vector<std::uint8_t> is_lost(is_faulty); // failed, or waits for a failed one
                 for (std::size_t task = 0; task < size; ++task) {
                     bool waits_for_lost = false;
                     for (const std::uint32_t earlier : schedule.tasks.predecessors(task)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest site found through a grid is the one that a search through all sites finds, including
-// ties and rounding, and Voronoi regions search no more often than necessary.
+// The nearest site by the grid is the one that a search of all sites finds, including ties and
+// rounding; and Voronoi regions search no more often than necessary.
 #include "thesis/divisions/site_grid.h"
 
 #include "support/random/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// At the boundaries of submeshes no split is left undone and no vertex is forgotten.
+// At submesh boundaries no split is left undone and no vertex is missed.
 #include "support/submesh_executor_testing.h"
 
 #include "dsc/base/verdict.h"
@@ -26,7 +26,7 @@ using test::Growing;
 using test::NamedPartitioner;
 using test::ways_to_divide;
 
-// The cuts stay in place while the disc grows: splits that one colour puts off are done by another.
+// The cuts stay in place while the disc grows: splits deferred by one colour are done by the other.
 TEST(SubmeshExecutor, LeavesNoLongEdgesOfTheInterfaceAtTheBoundaries) {
     constexpr std::uint32_t never = 1000;
     for (const NamedPartitioner& way : ways_to_divide(never)) {
@@ -40,12 +40,12 @@ TEST(SubmeshExecutor, LeavesNoLongEdgesOfTheInterfaceAtTheBoundaries) {
                 }
             }
         }
-        // Remeshing splits at 1.4, and then the disc grows a little.
+        // Remeshing splits edges longer than 1.4; afterwards the disc still grows a little.
         EXPECT_LT(longest, 1.45) << way.name;
     }
 }
 
-// A vertex that was deferred by one submesh, until another one looks at it.
+// The vertices that a submesh deferred and that no other submesh has visited yet.
 class Waiting {
 public:
     void add(DeferredKind kind, const Work<double>& by) {
@@ -105,7 +105,7 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
                               stars.add(DeferredKind::star, work);
                               moving_vertices.add(DeferredKind::moving_vertex, work);
                           }});
-        Growing disc(way.make(), 1, algorithm); // one thread: they may write to these
+        Growing disc(way.make(), 1, algorithm); // one thread: passes write to shared data
         for (int step = 0; step < 12; ++step) {
             const StepReport report = disc.simulation->step(disc.grow, 0, 0.5 * Growing::h);
             ASSERT_EQ(report.sub_steps, 1U) << "the next one would hide what this one forgot";
@@ -120,8 +120,8 @@ TEST(SubmeshExecutor, ForgetsNobodyWhomASubmeshPutOff) {
     }
 }
 
-// Counts the vertices that a submesh is about to look at and does not own: it would write to their
-// stamps while their own submesh does.
+// Counts the vertices that a submesh is about to visit but does not own: it would write to their
+// stamps at the same time as their owner.
 Pass<double> counting_strangers(std::atomic<int>& strangers) {
     return {"counting", [&strangers](Work<double>& work) {
                 for (const auto* list : {&work.active, &work.resized}) {
@@ -150,7 +150,7 @@ void thin_out(Work<double>& work) {
     }
 }
 
-// What a pass of the application collapses may have neighbours that another submesh is looking at.
+// A collapse by a pass of the application may affect neighbours that another submesh visits.
 TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
     for (const NamedPartitioner& way : ways_to_divide(4)) {
         SCOPED_TRACE(way.name);
@@ -176,12 +176,14 @@ TEST(SubmeshExecutor, LooksAtItsOwnVerticesAfterCollapsesOfTheApplication) {
     }
 }
 
-// Gives triangles at the interface another phase and their own again, as far as the submesh allows
-// it: that changes nothing but what is noted, also for vertices that are in no list of the submesh.
+// Changes the phase of interface triangles and changes it back, as far as the submesh owns them.
+// The mesh stays the same, but the changes are logged, also for vertices that are in no list of the
+// submesh.
 void relabel_twice(Work<double>& work) {
     Complex<double>& complex = work.complex;
     for (const std::uint32_t v : std::vector<std::uint32_t>(work.interface)) {
-        // Not all: a vertex that is changed is listed where it is when the sub-step is over.
+        // Only a third of the vertices: a changed vertex is listed anew by its position at the end
+        // of the sub-step.
         if (v % 3 != 0 || !gather(complex, work.submesh.region, v, work.star) || !work.star.owned) {
             continue;
         }
@@ -194,7 +196,8 @@ void relabel_twice(Work<double>& work) {
     }
 }
 
-// A vertex that has left a submesh is deferred by that one, and may be listed where it is now.
+// A vertex that has left a submesh is deferred by it, and may already be in the list of its new
+// submesh.
 TEST(SubmeshExecutor, ListsAVertexOnceThatAPassOfItsNewSubmeshChanges) {
     for (const NamedPartitioner& way : ways_to_divide(1000)) {
         SCOPED_TRACE(way.name);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The executor of submeshes: exceptions in one of them are passed on, and the simulation goes on;
-// threads and memory.
+// The executor of submeshes: exceptions in a submesh are passed on, and the simulation can
+// continue; use of threads and memory.
 #include "dsc/parallel/in_place/submesh_executor.h"
 
 #include "support/refusal.h"
@@ -59,7 +59,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
             for (const bool before : {true, false}) {
                 for (const std::size_t colour : {std::size_t{0}, std::size_t{1}, serial}) {
                     if (in_remeshing && colour == 1) {
-                        continue; // what the first colour puts off is done serially
+                        continue; // work deferred by the first colour is done serially
                     }
                     SCOPED_TRACE(
                         std::string(way.name) + (in_remeshing ? ", remeshing" : ", motion") +
@@ -71,7 +71,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
                         if (colour == serial) {
                             return region.is_whole();
                         }
-                        // Any but the first of them.
+                        // Any submesh of the colour except the first.
                         const auto& regions = seen->view().partition.colours.at(colour).regions;
                         return std::any_of(regions.begin() + 1, regions.end(), [&](const auto& r) {
                             return is_same(r.simplest(), region);
@@ -113,7 +113,7 @@ TEST(SubmeshExecutor, GoesOnAfterAPassThrew) {
     EXPECT_GE(serial_faults, 2) << "nothing was ever left to be done serially";
 }
 
-// A partition of the application that does not cover the plane, or that throws.
+// A partitioner of the application that does not cover the plane, or that throws.
 TEST(SubmeshExecutor, PassesOnWhatIsWrongWithAPartition) {
     bool is_faulty = false;
     bool has_gap = false;
@@ -187,7 +187,8 @@ TEST(SubmeshExecutor, RefusesOptionsThatMakeNoSense) {
 // --- threads and memory -------------------------------------------------------------------------
 
 // A stage, and a motion of the whole interface, share their work among the threads of the step:
-// each share is done once, whatever their number, and what one of them throws comes out.
+// each share is done once, whatever the number of threads, and an exception in a share is passed
+// on.
 struct Sharing final : Stage<double> {
     void run(const Between<double>& between) override { share(between.in_shares); }
     void share(const InShares& in_shares) {
@@ -222,7 +223,7 @@ TEST(SubmeshExecutor, ThreadsOfAStepShareTheWorkOfStagesAndMotions) {
 }
 
 TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
-    // A thread for each 32 vertices of the interface.
+    // At most one thread for each 32 interface vertices is used.
     const auto threads_of = [&](std::uint32_t threads, double radius, bool always_all) {
         constexpr double h = 0.02;
         auto complex = test::disc_complex<double>(h, {0.5, 0.5}, radius);
@@ -235,7 +236,7 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
             Parallel{.threads = threads, .always_all_threads = always_all});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
-        std::uint32_t most = 0; // it begins with one, and then tries all
+        std::uint32_t most = 0; // the executor begins with one thread, then tries all
         for (int step = 0; step < 8; ++step) {
             (void)simulation.step(test::constant<double>(0.001, 0), 0, 1);
             most = std::max(most, seen.view().threads_used);
@@ -283,7 +284,7 @@ std::vector<const void*> storage_of(Complex<double>& complex) {
             complex.attributes.get<Triangle, double>("at triangles").data().data()};
 }
 
-// Attributes of all kinds must exist before the executor is made: room is made for them too.
+// Attributes of all kinds exist before the executor is made, which reserves memory for them too.
 void add_attributes(Complex<double>& complex) {
     complex.attributes.add<Vertex, double>("at vertices");
     complex.attributes.add<Edge, double>("at edges");
@@ -301,7 +302,7 @@ TEST(SubmeshExecutor, CopiesNoArrayOfTheMeshInItsFirstStep) {
         const StepReport report = disc.simulation->step(disc.grow, 0, Growing::h);
         EXPECT_GT(report.operations.interface_splits, 0U) << "nobody asked for an id";
         EXPECT_EQ(storage_of(disc.complex), before);
-        // Submeshes have theirs; the serial clean-up takes a few more for what is left.
+        // Submeshes have their own ids; only the serial rest of the work takes a few more.
         EXPECT_LT(disc.complex.vertex_bound(), vertices + 32) << "ids were lent in the step";
         EXPECT_LT(disc.complex.triangle_bound(), triangles + 64) << "ids were lent in the step";
         disc.expect_good();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workers come to a section, or come too late for it; both awake and asleep; and the number of
-// threads follows what steps take.
+// Workers join a section or come too late for it, awake or asleep; and the number of threads
+// follows from the measured duration of steps.
 #include "dsc/parallel/threads/thread_choice.h"
 #include "dsc/parallel/threads/thread_pool.h"
 
@@ -82,7 +82,7 @@ TEST(ThreadPool, CallsEveryWorkerThatIsWaitedFor) {
     }
 }
 
-// Rings that come while a section is under way are not for a second part in it.
+// Wake-up calls during a section do not make a worker run its part twice.
 TEST(ThreadPool, CallsAWorkerOnceHoweverOftenItIsRung) {
     ThreadPool pool(microseconds(1000000));
     pool.start(2);
@@ -119,13 +119,13 @@ TEST(ThreadPool, SleepsAtOnceWhereWaitingIsToBePassive) {
 }
 
 #if defined(__linux__)
-// Of a process, or of this thread: 0.
+// The number of cores that a process may use; 0 stands for this thread.
 int cores_of(pid_t process) {
     cpu_set_t allowed;
     return sched_getaffinity(process, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : -1;
 }
 
-// Run once more with OMP_PROC_BIND set, which binds the thread that calls.
+// This test runs again with OMP_PROC_BIND set, with which OpenMP binds the calling thread.
 TEST(ThreadPool, LetsWorkersUseAllCoresWhereOpenMPBindsTheCaller) {
     const bool is_bound = std::getenv("OMP_PROC_BIND") != nullptr;
     ThreadPool pool;
@@ -139,12 +139,12 @@ TEST(ThreadPool, LetsWorkersUseAllCoresWhereOpenMPBindsTheCaller) {
             turns.wait();
         }
     });
-    // Before OpenMP bound this thread, it was allowed what the process that began this one is.
+    // Before OpenMP bound this thread, it could use the cores of the parent process.
     EXPECT_EQ(cores, cores_of(is_bound ? getppid() : 0));
 }
 #endif
 
-// A machine on which a step of one unit of work takes `seconds(threads)`.
+// A model of a machine on which a step with one unit of work takes `seconds(threads)`.
 struct Machine {
     double one, two, four;
     [[nodiscard]] double seconds(std::uint32_t threads) const {
@@ -152,14 +152,14 @@ struct Machine {
     }
 };
 
-// Steps of each number of threads, of the last `counted` ones.
+// Counts for each number of threads the steps that used it, among the last `counted` steps.
 std::array<int, 5> run(ThreadChoice& choice, const Machine& machine, int steps, int counted,
                        std::uint32_t useful = 4) {
     std::array<int, 5> used{};
     for (int step = 0; step < steps; ++step) {
         const std::uint32_t threads = choice.threads();
         used.at(threads) += step >= steps - counted ? 1 : 0;
-        const double work = 1 + step % 7; // the same time for each unit of it
+        const double work = 1 + step % 7; // steps take a time proportional to their work
         choice.took(machine.seconds(threads) * work, work, useful);
     }
     return used;
@@ -198,7 +198,8 @@ TEST(ThreadChoice, IsNotDeceivedByOneSlowStep) {
     EXPECT_GT(used[2], 90);
 }
 
-// As long as the interface is too short for a second thread, the numbers differ by noise alone.
+// While the interface is too short for a second thread, the times for one and two threads differ
+// only by noise.
 TEST(ThreadChoice, TriesAllThreadsOnceTheyHaveSomethingToDo) {
     ThreadChoice choice(2);
     (void)run(choice, {0.9, 1.0, 0}, 5000, 1, 1);

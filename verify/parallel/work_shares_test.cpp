@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a partitioner is told of the work: where more is done, a vertex counts for more, and cuts
-// follow.
+// The weights that a partitioner gets: vertices with more work around them count for more, and the
+// cuts follow.
 #include "dsc/passes/algorithm.h"
 #include "support/submesh_executor_testing.h"
 #include "thesis/divisions/slabs.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double h = 0.02;
 
-// Left and right, divided anew after each step; keeps what it was told.
+// Divides into left and right, anew after each step, and records the weights it gets.
 class Listening final : public Partitioner<double> {
 public:
     explicit Listening(std::vector<std::pair<double, double>>& told) : told_(told) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Phases whose inside moves with the flow: a rigid motion leaves their triangles as they are, in
-// each of the ways to run.
+// Phases whose inside is advected: a rigid motion does not change their triangles, sequentially and
+// in every division.
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
@@ -25,7 +25,7 @@ constexpr double h_of_disc = 0.03;
 
 Complex<double> disc_to_advect() { return test::disc_complex<double>(h_of_disc, {0.4, 0.5}, 0.2); }
 
-// Whatever shape the triangles of phase 1 have at the start is good enough.
+// Options with which the triangles of phase 1 are never improved.
 Options<double> carrying() {
     Options<double> options = test::options_for<double>(h_of_disc);
     options.advected_phases = {1};
@@ -79,8 +79,8 @@ TEST_P(AdvectedPhase, KeepsItsTrianglesInARigidMotion) {
     }
 }
 
-// Vertices that are inserted inside move from then on; those that were removed do no harm. In a
-// field that is linear in the place every vertex knows where it has to be.
+// Vertices inserted inside the phase are advected from then on, and removed ones have no effect. In
+// a linear velocity field the position of every vertex is known.
 TEST_P(AdvectedPhase, MovesTheVerticesThatAreNewInside) {
     Complex<double> complex = test::disc_complex<double>(h_of_disc, {0.5, 0.5}, 0.1);
     auto& first = complex.attributes.add<Vertex, Point<double>>("first", Point<double>(0, 0));
@@ -93,7 +93,7 @@ TEST_P(AdvectedPhase, MovesTheVerticesThatAreNewInside) {
     });
     Options<double> options = carrying();
     options.insertion = Insertion::linear;
-    options.interface.deviation = 0; // collapses are exact in no linear field
+    options.interface.deviation = 0; // collapses would not be exact in a linear field
     auto simulation = make_simulation(complex, options, GetParam());
     const std::size_t before = triangles_inside(complex).size();
     constexpr double dt = 0.01;

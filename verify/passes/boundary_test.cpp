@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of what is done to the interface along the domain boundary, checked by hand.
+// Parts of interface remeshing along the domain boundary, checked by hand.
 #include "dsc/passes/boundary.h"
 
 #include "support/small_meshes.h"
@@ -85,7 +85,7 @@ TEST_F(BoundaryParts, CollapsesAlongTheBoundaryAndKeepsTheDomain) {
     EXPECT_FALSE(complex.is_alive(Vertex{v}));
     EXPECT_EQ(phase_area(complex, 0), 16);
     EXPECT_EQ(validate(complex).problem, "");
-    // One quality afterwards, the promised one; a corner is not removed.
+    // After the collapse the worst quality is the predicted one; a corner is not removed.
     gather_at(0, 0);
     EXPECT_FALSE(collapse_on_boundary(work, star, {99, 99, 0.0}));
 }

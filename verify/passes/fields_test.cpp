@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertex attributes that are samples of a field: a step gives them the value of the new place.
+// Vertex attributes that are samples of a field: after a step they have the value at the new
+// position.
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
@@ -13,8 +14,8 @@ namespace {
 
 double plane_at(const Point<double>& p) { return 3 + p.x() - 2 * p.y(); }
 
-// A linear field stays exact wherever the flow takes the interface, smoothing what is inside, and
-// remeshing its new vertices; with each way to insert these, and in submeshes.
+// A linear field stays exact when the flow moves the interface, smoothing moves inner vertices, and
+// remeshing inserts new ones; for each kind of insertion, and in submeshes.
 TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
     const Velocity<double> strain = test::pointwise<double>(
         [](const Point<double>& p, double) { return Point<double>(p.x() - 0.5, 0.7 - p.y()); });
@@ -54,7 +55,7 @@ TEST(Fields, AreThoseOfThePlaceWhereTheFlowMovesTheInterface) {
     }
 }
 
-// Where the application puts a vertex is its own business.
+// If the application moves a vertex, the field's value is kept.
 TEST(Fields, KeepTheirValuesWhereTheApplicationMovesAVertex) {
     Complex<double> complex = test::disc();
     auto& field = complex.attributes.add<Vertex, double>("field");

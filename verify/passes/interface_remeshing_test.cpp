@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an application can choose about the interface: which vertices may be removed, how long edges
-// are, which corners stay, and the quality of the mesh beside short edges.
+// Options of interface remeshing: which vertices may be removed, lengths of edges, features that
+// stay, and the quality of the mesh beside short edges.
 #include "dsc/complex/gather.h"
 #include "dsc/passes/algorithm.h"
 
@@ -77,8 +77,8 @@ Options<double> with(Coarsening coarsening) {
 // Edges of a fifth of the edge length: far more vertices than the thresholds call for.
 const Outline crowded = ellipse(0.3, 0.15, 148);
 
-// The corners of a hexagon, with a vertex beside each that is too near: it goes, and the corner
-// stays, though the curve turns by 60 degrees only.
+// A hexagon with a vertex too close to each corner: that vertex is removed and the corner stays,
+// although the curve turns by only 60 degrees there.
 TEST(Coarsening, KeepsCornersAndTakesWhatIsBesideThem) {
     Outline outline;
     std::vector<Point<double>> corners;
@@ -121,7 +121,7 @@ TEST(Coarsening, ByLengthTakesAllThatDeviationTakesAndMore) {
     EXPECT_GT(length.counts.interface_collapses, deviation.counts.interface_collapses * 6 / 5);
 }
 
-// Off the curve by no more than the deviation, however it is interpolated.
+// The vertex deviates from the curve by no more than allowed, for every interpolation.
 TEST(Coarsening, ByDeviationKeepsTheCurve) {
     for (const Reading reading : {Reading::chords, Reading::cubic}) {
         auto options = with(Coarsening::deviation);
@@ -135,13 +135,14 @@ TEST(Coarsening, ByDeviationKeepsTheCurve) {
             EXPECT_LT(lost, 3 * options.interface.deviation * h * perimeter);
             EXPECT_LT(kept.counts.interface_collapses, 20U);
         } else {
-            // The cubic passes through the vertex: it may be removed, though it is off the chord.
+            // The cubic through the neighbours passes through the vertex, so it may be removed
+            // although it is off the chord.
             EXPECT_GT(kept.counts.interface_collapses, 40U);
         }
     }
 }
 
-// The cubic is evaluated where the vertex was, which need not be in the middle.
+// The cubic is evaluated at the vertex's own position along the chord, not at the middle.
 TEST(Coarsening, ByDeviationFromTheCubicTakesUnevenVerticesToo) {
     Outline uneven;
     for (int i = 0; i < 240; ++i) {
@@ -174,7 +175,7 @@ double largest_turn(const Complex<double>& complex, double shortest) {
 }
 
 TEST(Sizes, FollowTheCurvature) {
-    const Outline outline = ellipse(0.3, 0.06, 36); // 300 at its tips: 14 degrees at 0.2 h / 2
+    const Outline outline = ellipse(0.3, 0.06, 36); // turns by 14 degrees in 0.1 h at its tips
     auto options = with(Coarsening::never);
     const Kept plain = keep_up(outline, options);
     options.interface.turn_degrees = 20;
@@ -185,7 +186,7 @@ TEST(Sizes, FollowTheCurvature) {
     EXPECT_GT(largest_turn(plain.complex, 0), 30);
     EXPECT_LT(largest_turn(fine.complex, 2 * 0.02 * h), 20.0001);
     EXPECT_GT(fine.interface.size(), plain.interface.size());
-    // And no edge is split to less than the finest.
+    // Nor is any edge split to less than the finest length.
     for (const std::uint32_t v : fine.interface) {
         const Point<double> p = fine.complex.position(Vertex{v});
         for (const std::uint32_t w : fine.interface) {
@@ -229,8 +230,8 @@ TEST(Sizes, FollowTheGapToTheNextSheet) {
     }
 }
 
-// The second edge of a curve is in the link where a triangle cuts a corner; it is not another
-// sheet.
+// Where a triangle cuts off a corner of the curve, the curve's second edge is in the link; it does
+// not count as another sheet.
 TEST(Sizes, KnowNoGapToTheSameSheet) {
     const Outline square{{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}};
     const Outline small{{0.5, 0.5}, {0.55, 0.5}, {0.55, 0.55}, {0.5, 0.55}};
@@ -268,8 +269,8 @@ TEST(Corners, AreTurnsOfMoreThanFortyDegrees) {
     }
 }
 
-// A point beside the curve by less than the mesh can show is none; a corner that a short edge cuts
-// off is one.
+// A vertex that deviates from the curve by less than the mesh resolves is no feature; a corner that
+// a short edge cuts off is one.
 TEST(Corners, AreTurnsAtTheScaleOfTheMesh) {
     Outline circle = ellipse(0.3, 0.3, 40);
     circle.insert(circle.begin() + 8,
@@ -299,7 +300,7 @@ TEST(Corners, AreMarkedOnceAndKept) {
         }
     }
     ASSERT_EQ(corners.size(), 4U);
-    // A shear that opens two of them to 135 degrees and more, and back.
+    // A shear that opens two of the corners to 135 degrees and more, and back.
     const auto shear = [](double speed) {
         return test::pointwise<double>([=](const Point<double>& p, double) {
             return Point<double>(speed * (p.y() - 0.5), 0);
@@ -331,7 +332,7 @@ double worst_quality_at(const Complex<double>& complex,
     return std::sqrt(worst);
 }
 
-// Edges of a fifth of the edge length that must stay.
+// Edges of a fifth of the edge length, which must be kept.
 TEST(Grading, FillsTheMeshBesideShortEdges) {
     std::array<double, 2> worst{};
     for (const bool graded : {false, true}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of movement and mesh update, each on one star that calls for it alone; and what a pass
-// may cost: the stars that it looks at, how often it gathers them, the passes of a sub-step.
+// The rules of movement and mesh update, each on a star to which only that rule applies; and the
+// cost of a pass: visited stars, how often they are gathered, and the passes of a sub-step.
 #include "support/honeycomb.h"
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
@@ -27,13 +27,13 @@ using test::disc_complex;
 using test::honeycomb;
 using test::options_for;
 
-// All but a disc about the context, a point.
+// A region of everything except a disc about the point `context`.
 std::uint32_t is_near(const void* context, double x, double y) {
     const auto& centre = *static_cast<const Point<double>*>(context);
     return (Point<double>(x, y) - centre).norm() < 0.1 ? 1 : 0;
 }
 
-// The pass that looks at vertex 0 of a honeycomb.
+// Runs a pass that visits vertex 0 of a honeycomb.
 class AStar : public testing::Test {
 protected:
     AStar() : work(complex, options) { work.epoch = 1; }
@@ -78,7 +78,7 @@ TEST_F(AStar, IsNotSmoothedOutOfItsSubmesh) {
 
 TEST_F(AStar, OfPoorTrianglesIsCollapsed) {
     options.phases.smooth_quality = 0;
-    options.phases.shortest = 0; // nothing is too short, nor too crowded: it is poor
+    options.phases.shortest = 0; // poor quality is the only reason left
     options.phases.crowded = 0;
     const Vertex far{complex.vertex(next(complex.vertices[0].corner))};
     const SplitResult split = edge_split(complex, complex.find_edge(Vertex{0}, far),
@@ -107,10 +107,10 @@ TEST_F(AStar, ThatVanishesOnItsWayHasNowhereToArrive) {
 }
 
 // --- effort: counted rather than timed -----------------------------------------------------------
-// A fault of cost alone leaves the mesh as it is.
+// A fault that only increases the cost does not change the mesh, so the cost is counted.
 
-// Counts how often a vertex is asked for: once for the centre of a star and once for each vertex of
-// its link, whenever the star is gathered.
+// Counts the queries of ownership: one for the centre of a star and one for each vertex of its
+// link, whenever the star is gathered.
 std::uint32_t count_question(const void* context, double /*x*/, double /*y*/) {
     ++*const_cast<std::uint64_t*>(static_cast<const std::uint64_t*>(context));
     return 0;
@@ -154,7 +154,7 @@ TEST_F(AStar, NothingIsLookedAtWhereNothingChanged) {
     EXPECT_EQ(work.log.counts.examined, 0U);
 }
 
-// In a rigid motion all vertices arrive at once, and a second pass would find nothing to do.
+// In a rigid motion all vertices arrive in the first pass, so there must be no second one.
 TEST(Passes, AreAsManyAsVerticesNeedToArrive) {
     auto complex = disc_complex<double>(test::coarse);
     const auto options = options_for<double>(test::coarse);
@@ -189,8 +189,8 @@ TEST(Boundaries, AreLeftByNoVertex) {
     EXPECT_EQ(complex.position(Vertex{10}), Point<double>(0, 2.2));
 }
 
-// What movement reads of a kept star is what a walk would give, wherever its vertices are by then;
-// and an edit, which gives the centre another stamp, is the end of it.
+// A cached star gives movement the same data as a new walk, wherever its vertices are by then; an
+// edit, which changes the centre's stamp, invalidates it.
 TEST(KeptStars, AreReadUntilTheyChange) {
     auto complex = test::grid<double>(4);
     const auto options = options_for<double>(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The list that the interface remeshing keeps, who stays on it and who leaves it; and what is read
-// from the log of a pass.
+// The list of vertices that interface remeshing keeps: which vertices stay on it and which leave
+// it; and what it takes from the log of a pass.
 #include "support/simulation_testing.h"
 #include "support/small_meshes.h"
 
@@ -48,7 +48,7 @@ TEST(RemeshingList, AVertexOfTooManyTrianglesStaysOnIt) {
     EXPECT_EQ(work.interface, std::vector<std::uint32_t>{0});
 }
 
-// The remnant of a tip: shorter than five times the deviation, and not longer.
+// The remnant of a tip is removed only if it is shorter than five times the deviation.
 TEST(RemeshingList, RemnantsOfTipsAreAsLongAsTheOptionsSay) {
     constexpr double h = 0.05;
     for (const double length : {0.09, 0.11}) { // a tenth of an edge is five times the deviation
@@ -78,7 +78,7 @@ protected:
         work.interface = collect_interface(complex);
     }
 
-    // Splits an edge of the interface without saying so to anybody.
+    // Splits an edge of the interface without adding to any list.
     void run() {
         run_pass<double>(work, {"split", [](Work<double>& here) {
                                     for (const Edge e : edges(here.complex)) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Docstrings have examples that run, and stubs say what functions take."""
+"""Docstrings have examples that run, and stubs agree with the parameters of functions."""
 import ast
 import doctest
 import inspect
@@ -17,7 +17,8 @@ STUBS = pathlib.Path(dsc.__file__).with_name("__init__.pyi")
 
 
 def members(value):
-    """Names and values of what a class or a module of the package has, with what its bases have."""
+    """Names and values of the members of a class or module of the package, including those of base
+    classes."""
     found = {}
     for base in reversed(inspect.getmro(value) if inspect.isclass(value) else [value]):
         if not inspect.isclass(base) or base.__module__.startswith("dsc"):
@@ -26,7 +27,7 @@ def members(value):
 
 
 def public():
-    """(name, object) for all that a user finds."""
+    """(name, object) for everything public."""
     for name in dsc.__all__:
         thing = getattr(dsc, name)
         yield name, thing
@@ -37,7 +38,7 @@ def public():
 
 
 def stubbed():
-    """The names of functions of the stub, with the names and defaults of what they take."""
+    """The functions of the stub, with the names and defaults of their parameters."""
     found = {}
 
     def read(body, prefix):
@@ -56,7 +57,7 @@ def stubbed():
 
 
 def fields(name):
-    """Those that the stub has of a record."""
+    """The names of a record's fields in the stub."""
     [record] = [node for node in ast.parse(STUBS.read_text(encoding="utf-8")).body
                 if isinstance(node, ast.ClassDef) and node.name == name]
     return [node.target.id for node in record.body if isinstance(node, ast.AnnAssign)]
@@ -106,12 +107,12 @@ class Options(unittest.TestCase):
 
 class Stubs(unittest.TestCase):
     def taken(self, name, function):
-        """Names and defaults of what a function takes, without `**options`, which `Options` tests."""
+        """Names and defaults of a function's parameters, without `**options`, which `Options` tests."""
         if isinstance(function, property):
             return [], {}
         try:
             parameters = inspect.signature(function).parameters.values()
-        except ValueError:  # compiled: its docstring begins with what it takes
+        except ValueError:  # compiled: its docstring begins with its signature
             signature = function.__doc__.partition("\n")[0]
             return re.findall(r"(?:^|, )(\w+)(?=:)", signature[signature.index("(") + 1:].replace("self: ", "")), {}
         named = [one for one in parameters if one.kind != one.VAR_KEYWORD]["." in name:]  # without self
@@ -134,7 +135,7 @@ class Stubs(unittest.TestCase):
         for name, thing in found.items():
             first = getattr(dsc, name.split(".")[0])
             if inspect.isclass(thing) or inspect.ismodule(first) or first.__module__ == "dsc.records":
-                continue  # classes by their members, records by their fields; modules have no stub
+                continue  # classes are checked by member, records by field; modules have no stub
             if not issubclass(first if inspect.isclass(first) else object, (Exception, dsc.Data)):
                 self.assertIn(name, stubs)
 

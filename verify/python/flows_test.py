@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Flows in Python that see the interface or are known on a grid, and the library's own by name."""
+"""Flows in Python that read the interface, velocities given on a grid, and the library's flows by name."""
 import os
 import tempfile
 import threading
@@ -113,7 +113,7 @@ class ByPair(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             dsc.curvature_flow(tension={(0, 1): 1, (1, 2): 1.5, (0, 2): 2.4})
-            dsc.curvature_flow(tension={(0, 1): 1, (0, 2): 3})  # the third pair is not named
+            dsc.curvature_flow(tension={(0, 1): 1, (0, 2): 3})  # no tension is given for the third pair
 
 
 @unittest.skipUnless(RegularGridInterpolator, "without scipy")

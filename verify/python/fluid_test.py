@@ -76,7 +76,7 @@ class Fluids(unittest.TestCase):
         sim.step(lambda x, t: 0 * x + (0, 1), 0, 0.01)
         with self.assertRaisesRegex(RuntimeError, "has changed since the fluid's last step"):
             fluid.velocities
-        del sim  # the fluid keeps what it needs
+        del sim  # the fluid keeps the simulation alive
         self.assertEqual(fluid.step(0.01).unreached, 0)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What grows over ten thousand steps, and how long an interruption takes where steps are long."""
+"""Memory must not grow over ten thousand steps, and an interruption must be quick even if steps are long."""
 import gc
 import os
 import pickle
@@ -51,7 +51,7 @@ class Leaks(unittest.TestCase):
 
         tracemalloc.start()
         resident()
-        go(STEPS // 10)  # what is kept once, such as code that is imported
+        go(STEPS // 10)  # first, so that imports and caches do not count
         gc.collect()
         first, rss = tracemalloc.take_snapshot(), resident()
         go(STEPS)
@@ -59,7 +59,7 @@ class Leaks(unittest.TestCase):
         grown = tracemalloc.take_snapshot().compare_to(first, "filename")
         tracemalloc.stop()
         ours = sum(one.size_diff for one in grown if "tracemalloc" not in one.traceback[0].filename)
-        self.assertLess(ours, 20_000, grown[:5])  # what grows with the steps would be 10,000 of it
+        self.assertLess(ours, 20_000, grown[:5])  # one object leaked in each step would be more
         self.assertLess(resident() - rss, 4e6)
 
 

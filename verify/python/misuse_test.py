@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What goes wrong in a notebook: each case ends with a sentence, and the mesh is valid after it."""
+"""Mistakes in a notebook: each case raises an error with a sentence, and leaves a valid mesh."""
 import copy
 import pickle
 import signal
@@ -26,7 +26,7 @@ def raising(*_):
 
 
 def by_the_mesh_that_moves(use):
-    """Does something with the mesh from the velocity of its own step."""
+    """Uses the mesh inside the velocity function of its own step."""
     return lambda mesh: stepped(lambda x, t: use(mesh) and x)(mesh)
 
 
@@ -77,7 +77,7 @@ def masked(array, count=1):
 
 
 INPUT = dsc.InputError
-# (what is done with a mesh, what it raises, the sentence)
+# (action on a mesh, error type, pattern of the message)
 CASES = {
     "velocity of another shape": (stepped(lambda x, t: x.T), INPUT, r"got an array of the shape \(2, \d+\)"),
     "velocity of too few rows": (stepped(lambda x, t: x[:3]), INPUT, r"got an array of the shape \(3, 2\)"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python module: what a user does with it, and what it refuses."""
+"""The Python module: common uses, and refusals."""
 import copy
 import importlib.util
 import os
@@ -36,7 +36,7 @@ class Steps(unittest.TestCase):
         dsc.run(sim, lambda x, t: np.c_[np.sign(0.5 - x[:, 0]), 0 * x[:, 1]], H / 2, 8,
                 after=lambda sim, report: events.extend(report.events))
         self.assertIn("merge", {event.kind for event in events})
-        self.assertEqual(list(mesh.vertex_data), [])  # what the library notes is nobody's data
+        self.assertEqual(list(mesh.vertex_data), [])  # the library's own data are not listed
         self.assertEqual(len(mesh.outlines(1)), 1)
 
     def test_nothing_is_kept_alive(self):
@@ -112,7 +112,7 @@ class Installed(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("ensurepip"), "Debian: python3-venv")
     def test_pip_installs_a_wheel_without_a_network(self):
-        build = pathlib.Path(dsc.__file__).parents[3]  # used again: to compile it takes minutes
+        build = pathlib.Path(dsc.__file__).parents[3]  # reuses this build: compiling takes minutes
         root = pathlib.Path(__file__).parents[2]
         alone = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
         with tempfile.TemporaryDirectory() as folder:
@@ -231,8 +231,8 @@ class Drawn(unittest.TestCase):
         from matplotlib.figure import Figure
         empty = dsc.initial_complex(((0, 0), (1, 1)), edge_length=H)
         x, y = empty.points[empty.triangles].mean(axis=1).T
-        squares = 1 + (8 * x).astype(int) + 8 * (8 * y).astype(int)  # above each other they are 8 apart
-        mesh = dsc.Mesh(empty.points, empty.triangles, 7 * squares)  # one colour for all, but for neighbours
+        squares = 1 + (8 * x).astype(int) + 8 * (8 * y).astype(int)  # one row up is plus 8
+        mesh = dsc.Mesh(empty.points, empty.triangles, 7 * squares)  # all would be of one colour
         drawn = dsc.plot(mesh, Figure().add_subplot(), interface=False).collections[0].get_array()
         colours = {int(phase): set(drawn[mesh.phases == phase].tolist()) for phase in np.unique(mesh.phases)}
         self.assertEqual({len(one) for one in colours.values()}, {1})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Measures, outlines, and other packages' forms of a mesh."""
+"""Measures, outlines, and meshes in the formats of other packages."""
 import importlib.util
 import json
 import unittest

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Shapes as people have them: rings, geometries of other packages, coverages, heights, detail."""
+"""Shapes as users have them: rings, geometries of other packages, coverages, points with heights, fine
+detail."""
 import pathlib
 import pickle
 import tempfile
@@ -11,7 +12,7 @@ from meshes import DOMAIN, H, disc
 
 
 class Geometry:
-    """What shapely and geopandas have: the geometry as a dictionary."""
+    """A geometry with the interface of shapely and geopandas: `__geo_interface__`, a dictionary."""
 
     def __init__(self, kind, **parts):
         self.__geo_interface__ = {"type": kind, **parts}
@@ -132,7 +133,7 @@ class Labels(unittest.TestCase):
 
 
 class Meshio(unittest.TestCase):
-    """Meshes of meshio, and of what looks like them."""
+    """Meshes of meshio, and objects with the same attributes."""
 
     def given(self, **changed):
         parts = {"points": np.array([[0, 0, 2], [1, 0, 2], [1, 1, 2], [0, 1, 2], [5, 5, 2]], float),

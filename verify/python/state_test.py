@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Copies, pickles and checkpoints; and what is known after an exception."""
+"""Copies, pickles and checkpoints; and the state after an exception."""
 import copy
 import pathlib
 import pickle
@@ -15,7 +15,7 @@ def by_place(x, y, time, phase):
     return H + 0.2 * abs(x - 0.5)
 
 
-# How a simulation is made: the flow, and its options.
+# Kinds of simulations: their flow, and their options.
 KINDS = {
     "sequential": (None, {}),
     "threads": (None, {"threads": 2}),
@@ -83,7 +83,7 @@ class ASimulation(unittest.TestCase):
             changed[at] ^= 1 << random.integers(8)
             try:
                 other = pickle.loads(changed)
-            except Exception:  # pickle's own, where its frame has changed
+            except Exception:  # an error of pickle itself: its frame was damaged
                 refused += 1
                 continue
             self.assertEqual(other.mesh_hash, mesh.mesh_hash)
@@ -137,7 +137,7 @@ class AfterAnException(unittest.TestCase):
                 return swirl(x, t)
 
             sim = dsc.Simulation(disc_mesh(), edge_length=H, threads=threads)
-            sim.step(swirl, -H, H)  # from its speed the first sub-step of the next is found
+            sim.step(swirl, -H, H)  # its speed determines the first sub-step of the next step
             with self.assertRaisesRegex(ValueError, "enough"):
                 sim.step(function, 0, 10 * H)
             self.assertEqual(sim.mesh.validate(), "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The programs of the guide's pages print what they say, and draw what they show."""
+"""The programs on the guide's pages print and draw what the pages show."""
 import contextlib
 import io
 import os
@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 GUIDE = pathlib.Path(__file__).parents[2] / "lib" / "guide"
-LARGEST = 0.05  # of the root of the mean squared difference of pictures: fonts may be others
+LARGEST = 0.05  # limit on the RMS difference of pictures, because fonts may differ
 
 
 class Tour(unittest.TestCase):

@@ -22,7 +22,7 @@ protected:
     using P = Point<Real>;
     static constexpr double tolerance = sizeof(Real) == 8 ? 1e-13 : 2e-5;
 
-    // A triangle by two of its angles, at an arbitrary place, turned and scaled.
+    // A triangle with two given angles, at an arbitrary position, rotation and scale.
     static std::array<P, 3> by_angles(double alpha_deg, double beta_deg, double scale = 1,
                                       double turn = 0.7) {
         const double a = alpha_deg * pi / 180;
@@ -45,14 +45,13 @@ TYPED_TEST(Measures, AgreeWithTrigonometry) {
         const double alpha = angle(random);
         const double beta = angle(random);
         const double gamma = 180 - alpha - beta;
-        // To where products of two lengths nearly leave the range of numbers.
+        // Scales for which products of two lengths nearly overflow or underflow.
         constexpr double decades = sizeof(TypeParam) == 8 ? 25 : 2.8;
         const double scale = std::pow(10.0, decades * (i % 13 - 6));
         const auto p = TestFixture::by_angles(alpha, beta, scale, i);
         const double smallest = std::min({alpha, beta, gamma});
         const auto sine = [](double degrees) { return std::sin(degrees * pi / 180); };
-        const double a =
-            sine(alpha) / sine(gamma); // edges, with that of length 1 opposite to gamma
+        const double a = sine(alpha) / sine(gamma); // edges; the one opposite to gamma has length 1
         const double b = sine(beta) / sine(gamma);
         const double size = 0.5 * sine(alpha) * b;
         const auto near = [&](auto value, double expected) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is computed on all lanes of a star at once is what each triangle and each edge says by
-// itself.
+// Quantities computed on all lanes of a star at once equal those of each single triangle and edge.
 #include "dsc/complex/gather.h"
 #include "dsc/quality/measures.h"
 
@@ -21,8 +20,8 @@ double squared_quality(const Point<double>& a, const Point<double>& b, const Poi
     return its * std::abs(its);
 }
 
-// Every star of some jittered grids, those on the boundary as well, in turn: so that a large star
-// comes before a small one, and an open one before a closed one.
+// Calls `look` for every star of some jittered grids, including the boundary. The star object is
+// reused, and a large star comes before a small one, an open one before a closed one.
 template <class Look>
 void for_stars(Look look) {
     Star<double> star;
@@ -30,7 +29,7 @@ void for_stars(Look look) {
         auto complex = test::grid<double>(7, 0.19, seed);
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> slide(-0.3, 0.3);
-        for (std::uint32_t k = 1; k < 7; ++k) { // edges of several lengths along the sides too
+        for (std::uint32_t k = 1; k < 7; ++k) { // also moves vertices along the sides
             for (const std::uint32_t v : {k, 56 + k}) {
                 complex.set_position(Vertex{v},
                                      complex.position(Vertex{v}) + Point<double>(slide(random), 0));
@@ -106,7 +105,8 @@ class RingQualityTyped : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(RingQualityTyped, Reals);
 
-// The exact predicate has to say it where products overflow, and says no to what is not finite.
+// Where products overflow, the exact predicate must decide; positions that are not finite are
+// refused.
 TYPED_TEST(RingQualityTyped, NothingIsCertainFarAwayOrWhereNoNumbersAre) {
     using Real = TypeParam;
     using Limits = std::numeric_limits<Real>;

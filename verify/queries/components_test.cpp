@@ -15,7 +15,7 @@
 namespace dsc::test::components_test {
 namespace {
 
-// A grid whose squares (i, j) have the phases of the rows of `phases`, from below.
+// A grid of squares with the phases of `rows`, from the lowest row on.
 Complex<double> chequered(const std::vector<std::string>& rows) {
     auto K = grid<double>(static_cast<std::uint32_t>(rows.size()));
     for (const Triangle t : triangles(K)) {
@@ -50,12 +50,13 @@ TEST(Components, AreSeparateUnlessTheyShareAnEdge) {
     ASSERT_EQ(exterior.size(), 1U);
     EXPECT_TRUE(exterior[0].touches_border);
     EXPECT_DOUBLE_EQ(exterior[0].area, 25 - 5);
-    // All three touch at vertices: they leave one hole.
+    // All three touch each other at vertices, so they leave one hole.
     EXPECT_EQ(exterior[0].holes(), 1U);
 }
 
-// A component is a surface of its own once the fans of triangles around a vertex are told apart. It
-// lies in the plane, so its holes follow from Euler's formula.
+// Computes components literally. If each fan of triangles around a vertex counts as a vertex of its
+// own, a component is a surface in the plane, so the number of its holes follows from Euler's
+// formula.
 void compare_with_literal(const Complex<double>& K) {
     const Components found = components(K);
     std::vector<std::uint32_t> name(K.triangle_bound());
@@ -92,8 +93,8 @@ void compare_with_literal(const Complex<double>& K) {
         area_of[here] += area<double>(K.position(a), K.position(b), K.position(c));
     }
     for (const Vertex v : vertices(K)) {
-        // A fan begins at a triangle whose clockwise neighbour is of another phase, or there is one
-        // fan all around.
+        // A fan of triangles of one phase begins where the clockwise neighbour has another phase;
+        // otherwise one fan surrounds the vertex.
         bool all_around = true;
         std::uint32_t last = no_id;
         for_each_corner(K, v, [&](Corner c) {

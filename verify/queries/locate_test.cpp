@@ -25,7 +25,8 @@ using test::grid;
 using test::hexagon;
 using Kind = Location::Kind;
 
-// Zero signs of the point in a triangle: 0 inside, 1 on an edge, 2 at a vertex; -1 outside.
+// The number of edges of the triangle on whose line the point lies: 0 inside, 1 on an edge, 2 at a
+// vertex; -1 if the point is outside.
 template <class Real>
 int zeros_in(const Complex<Real>& complex, Triangle t, const Point<Real>& p) {
     int zeros = 0;
@@ -72,7 +73,7 @@ class Locate : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Locate, Reals);
 
-// A point off an edge by the last bit of its coordinate.
+// A point that is off an edge by the smallest number.
 TYPED_TEST(Locate, IsExact) {
     const auto complex = hexagon<TypeParam>();
     const auto least = std::numeric_limits<TypeParam>::denorm_min();
@@ -114,7 +115,7 @@ TYPED_TEST(Locate, RefusesWhatIsNotFinite) {
     EXPECT_THROW((void)locate(complex, Point<TypeParam>(infinity - infinity, 0)), InputError);
 }
 
-// Convex as each of them is, the border of one says nothing of the others.
+// Each component is convex, but a point outside one of them may lie in another.
 TEST(Locate, LooksBeyondAPieceOfAComplex) {
     auto complex = grid<double>(7);
     SimplexSet cut;
@@ -134,7 +135,7 @@ TEST(Locate, LooksBeyondAPieceOfAComplex) {
     }
 }
 
-// Scrambled by random flips, with holes, free ids and points on a lattice.
+// Meshes after random flips, with holes, free ids and points on a lattice.
 TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
     std::size_t met[4] = {0, 0, 0, 0};
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -156,8 +157,8 @@ TEST(Locate, AgreesWithAllTrianglesOfMeshesThatAreNotDelaunay) {
     }
 }
 
-// A turbine around a middle triangle fan: seen from the middle, each edge between two blades has
-// the point on the side of the next blade, so that a walk could go round and round.
+// A turbine: a fan of triangles surrounded by blades. For each edge between two blades, the point
+// is on the side of the next blade, so a simple walk would go around for ever.
 TEST(Locate, DoesNotGoInCircles) {
     for (const double side : {1.0, -1.0}) {
         constexpr std::uint32_t blades = 7;

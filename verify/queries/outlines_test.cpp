@@ -79,7 +79,7 @@ TEST(Outlines, OfADisc) {
     const auto disc = outlines(complex, 1);
     ASSERT_EQ(disc.size(), 1U);
     EXPECT_EQ(disc[0], curves[0].vertices);
-    // Around it, the sides of the domain and the disc as a hole, clockwise.
+    // Phase 0 has the sides of the domain as its outline, and the disc as a hole, clockwise.
     const auto around = outlines(complex, 0);
     ASSERT_EQ(around.size(), 2U);
     EXPECT_EQ(turned(around[0]), (Ids{0, 1, 2, 3, 7, 11, 15, 14, 13, 12, 8, 4}));
@@ -100,7 +100,7 @@ TEST(Outlines, OfThreePhasesEndAtJunctions) {
     EXPECT_EQ(ids(only(curves, 2, 0).vertices), (Ids{7, 8, 13, 18, 17}));
     ASSERT_EQ(outlines(complex, 1).size(), 1U);
     EXPECT_EQ(turned(outlines(complex, 1)[0]), (Ids{6, 7, 12, 17, 16, 11}));
-    // Taken together they have one outline, without the domain boundary between them.
+    // Together, the phases have one outline, without the edges between them.
     const auto both = outlines_where(complex, [](Phase p) { return p != 0; });
     ASSERT_EQ(both.size(), 1U);
     EXPECT_EQ(turned(both[0]), (Ids{6, 7, 8, 13, 18, 17, 16, 11}));
@@ -153,7 +153,8 @@ TEST(Outlines, HoldEachEdgeOfRandomMeshesOnce) {
                 const bool is_end = !curve.is_closed && (i == 0 || i + 1 == line.size());
                 const bool passes = interface_edges_at(complex, line[i]) == 2 &&
                                     (at_border || !is_boundary(complex, line[i]));
-                // A curve of the domain boundary also ends where one from inside takes over.
+                // A curve along the domain boundary also ends where a curve from inside meets the
+                // boundary.
                 ASSERT_TRUE(is_end ? !passes || at_border : passes) << "seed " << seed;
                 if (i + 1 < line.size()) {
                     const Corner c = complex.find_half_edge(line[i], line[i + 1]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The validator sees complexes that cannot be embedded in the plane: fans that go around more than
-// once, domains that lie over themselves, handles, components that overlap.
+// The validator detects complexes that are not embedded in the plane: fans that go around more than
+// once, domains that overlap themselves, handles of a torus, overlapping components.
 #include "dsc/queries/validate.h"
 
 #include "support/small_meshes.h"
@@ -28,7 +28,7 @@ class ValidateEmbedding : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(ValidateEmbedding, Reals);
 
-// From arrays, although they may overlap.
+// Builds a complex from arrays whose triangles may overlap.
 template <class Real>
 Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<Indices>& triangles) {
     Complex<Real> complex;
@@ -69,7 +69,8 @@ TYPED_TEST(ValidateEmbedding, SeesFansThatGoAroundMoreThanOnce) {
     expect_problem(fan<TypeParam>(11, false), "go around it more than once");
 }
 
-// Quads between consecutive cross sections (right hand, left hand on the way).
+// Adds the quads between consecutive cross sections, given as (right, left) seen in the band's
+// direction.
 template <class Real>
 void add_band(std::vector<Indices>& triangles,
               const std::vector<std::array<std::uint32_t, 2>>& cuts) {
@@ -104,7 +105,7 @@ TYPED_TEST(ValidateEmbedding, SeesADomainThatLiesOverItself) {
     expect_problem(road<TypeParam>(1, 16), "overlaps itself"); // the ends touch
 }
 
-// Both sides of a slit, one above the other, side by side, and on each other.
+// Two vertical boundaries: side by side, one above the other, or overlapping.
 TYPED_TEST(ValidateEmbedding, SeesVerticalBoundariesThatMeet) {
     using P = Point<TypeParam>;
     const auto with = [](TypeParam x, TypeParam y) {
@@ -173,11 +174,12 @@ TYPED_TEST(ValidateEmbedding, SeesComponentsThatOverlap) {
     expect_problem(with(base, {{1, 1}, {9, 1}, {9, 9}}), "meets");
     expect_problem(with(base, {{2, 1}, {9, 1}, {9, 9}}), "meets");         // touches from outside
     expect_problem(with(base, {{2, 0}, {4, 0}, {4, 2}, {2, 2}}), "meets"); // along a whole side
-    // One corner on the middle of a side, on either side of the sweep.
+    // A corner touches the middle of a vertical side, from the right or from the left.
     const TypeParam half(0.5);
     expect_problem(with(base, {{2, half}, {3, 0}, {3, 1}}), "meets");
     expect_problem(with(base, {{-1, 0}, {0, half}, {-1, 1}}), "meets");
-    // Two rings, one between the loops of the other: neither holds the other whole.
+    // Two rings; the outer loop of one lies between the loops of the other, so neither contains the
+    // other.
     Complex<TypeParam> rings;
     for (const auto& [low, high] : {std::pair{1, 3}, std::pair{2, 4}}) {
         std::vector<Vertex> v;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The validator detects every kind of fault and names the bad element: each fault is written into
-// the records of a sound complex, or built.
+// The validator detects every kind of fault and names the bad element. Each fault is written into
+// the records of a sound complex, or built into a mesh.
 #include "dsc/queries/validate.h"
 
 #include "support/small_meshes.h"
@@ -29,7 +29,7 @@ class Validate : public testing::Test {};
 using Reals = testing::Types<double, float>;
 TYPED_TEST_SUITE(Validate, Reals);
 
-// A grid with a free vertex, free triangles, and an unused vertex; id 60 is free, 24 is in the
+// A grid with a free vertex (id 60), free triangles, and an unused vertex; vertex 24 is in the
 // middle.
 template <class Real>
 Complex<Real> sound() {
@@ -42,7 +42,7 @@ Complex<Real> sound() {
     return complex;
 }
 
-// A triangle away from the domain boundary, and one of its corners that no vertex refers to.
+// A corner that no vertex refers to, of a triangle away from the domain boundary.
 template <class Real>
 Corner quiet_corner(const Complex<Real>& complex) {
     for (std::uint32_t t = 20; t < complex.triangle_bound(); ++t) {
@@ -147,7 +147,7 @@ TYPED_TEST(Validate, SeesFaultsInRecords) {
         {"the same two vertices", [&](K& k) { k.triangles[t].v[i] = 48; }},
         {"the same two vertices",
          [&](K& k) {
-             // Links symmetric, but between unrelated edges.
+             // The links to neighbours are symmetric, but join unrelated edges.
              const Corner far = corner_of(1, 0);
              const Corner a = k.twin(c);
              const Corner b = k.twin(far);

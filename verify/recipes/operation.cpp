@@ -8,7 +8,7 @@
 
 using namespace dsc;
 
-// By how much; not positive on the boundary of the domain.
+// The length that a flip would save; not positive on the domain boundary.
 static double gain(const Complex<double>& mesh, Edge edge) {
     const Corner twin = mesh.twin(edge.id);
     const auto at = [&](Corner c) { return mesh.position(Vertex{mesh.vertex(c)}); };
@@ -21,7 +21,7 @@ TEST(Recipe, AnOperationIsOnePassMore) {
     int flips = 0;
     auto algorithm = default_algorithm<double>();
     auto& passes = algorithm.motion;
-    // The line; before the mesh update, which empties the active set.
+    // This statement adds the pass before the mesh update, which empties the active set.
     passes.insert(passes.end() - 1,
                   mesh_update_pass<double, Edge>(
                       {.name = "shorter diagonals",
@@ -30,7 +30,7 @@ TEST(Recipe, AnOperationIsOnePassMore) {
                        .operation =
                            [&](auto& work, Edge edge) {
                                if (gain(work.complex, edge) <= 0) {
-                                   return Verdict::no_gain; // a flip before this one has done it
+                                   return Verdict::no_gain; // an earlier flip changed it
                                }
                                const Verdict verdict = edge_flip(work.submesh, edge);
                                flips += verdict == Verdict::legal ? 1 : 0;

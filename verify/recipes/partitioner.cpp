@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A new partitioner: left and right at once, and then below and above for what lay near the cut.
+// A new partitioner: left and right at the same time, then below and above for the work near the
+// first cut.
 #include "dsc/engine.h"
 #include "replay/mesh_hash.h"
 #include "support/random/scene.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The polygon of markers: what its parts do, and the floor that it sets in the single vortex.
+// The polygon of markers: its parts, and its errors in the single vortex, a floor for methods that
+// track the interface by edges.
 #include "reference/algorithm/bare_markers.h"
 
 #include "flows/exact.h"
@@ -34,7 +35,7 @@ struct Errors {
     double half = 0;
 };
 
-// There and back with 8 / L steps.
+// The errors half-way and at the end, with 8 / L steps.
 Errors errors_of(double length, const MarkerOptions& options, int parts = 1) {
     Markers markers = scenes::circle(centre, radius, length);
     const double first_area = scenes::signed_area(markers);
@@ -56,8 +57,8 @@ Errors errors_of(double length, const MarkerOptions& options, int parts = 1) {
     return errors;
 }
 
-// The figures of reference/published/marker_floor.json, of a program written apart from this one.
-// With removal the result hangs on every decision on the way: a tenth is what such runs agree to.
+// The figures of reference/published/marker_floor.json were computed by an independent program.
+// With removal of markers, results depend on every single decision, so they only agree to a tenth.
 TEST(BareMarkers, ReproduceTheFloor) {
     struct Row {
         InterfacePoint insertion;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every operation of chapter 7 of the thesis against the literal one of the reference: the same
-// verdict and the same mesh, on thousands of random complexes, whole ones and submeshes.
+// verdict and mesh, on thousands of random complexes and submeshes.
 #include "support/equivalence_testing.h"
 
 #include "dsc/base/verdict.h"
@@ -70,8 +70,8 @@ void compare_triangle(Equivalence<Real>& equivalence, const Complex<Real>& K, Tr
     }
 }
 
-// `exact_middle`: midpoints are the same numbers in Real and in double; `with_smoothing`: sums in
-// another order, and rounded to Real, are nearly the same.
+// `exact_middle`: midpoints are exact in Real. `with_smoothing`: also compares operations that add
+// coordinates, whose results depend on the order and on rounding to Real.
 template <class Real>
 void compare_all(const Case<Real>& given, Tally& tally, bool exact_middle, bool with_smoothing) {
     const Complex<Real>& K = given.complex;
@@ -113,7 +113,7 @@ void expect_coverage(Tally& tally, bool with_smoothing) {
     expect_all_met(tally, "flip", {legal, on_boundary, on_submesh_boundary, on_interface, inverts},
                    50);
     expect_all_met(tally, "split", {legal, on_submesh_boundary}, 50);
-    if (with_smoothing) { // double, that is: float leaves out where midpoints are rounded
+    if (with_smoothing) { // double only: float skips rounded midpoints
         expect_all_met(tally, "split", {inverts}, 50);
         expect_all_met(tally, "subdivision", {inverts}, 50);
     }
@@ -146,17 +146,18 @@ TEST(Equivalence, FloatWithReference) {
 
 // --- triangle collapse ---------------------------------------------------------------------------
 
-// The library makes it of two edge collapses; the reference inserts a vertex and replaces triangles
-// as figure 13.1 of the thesis shows it.
+// The library's triangle collapse makes two edge collapses; the reference inserts a vertex and
+// replaces triangles as in figure 13.1 of the thesis.
 
-// At the default place, at a vertex, and where the centroid is in Real.
+// Positions of the collapsed vertex: a corner, the centroid rounded to Real, and for double the
+// default.
 template <class Real>
 std::vector<std::optional<Point<Real>>> places_in(const Complex<Real>& K, Triangle t) {
     const auto [a, b, c] = K.vertices_of(t);
     const Point<Real> centroid = (K.position(a) + K.position(b) + K.position(c)) / Real(3);
     std::vector<std::optional<Point<Real>>> places{K.position(a), centroid};
     if (std::is_same_v<Real, double>) {
-        places.push_back(std::nullopt); // in float, the centroid of the reference is another
+        places.push_back(std::nullopt); // the default; in float, the reference's centroid differs
     }
     return places;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The literal method of reference/ at work: movement, integrators, and short runs of algorithm 5.1.
-// Its operations are compared with the library's, and whole runs by the gate.
+// The literal method of reference/: movement, integrators, and short runs of algorithm 5.1. Its
+// operations are compared with the library's, and whole runs by the gate.
 #include "dsc/base/error.h"
 #include "dsc/base/types.h"
 #include "reference/algorithm/dsc.h"
@@ -88,9 +88,9 @@ TEST(ReferenceMovement, GoesAsFarAsNoTriangleInverts) { // figure 5.2
     expect_valid(K);
     for (int i = 0; i < 200; ++i)
         movement(under_way, K);
-    expect_valid(K); // ever closer to the domain boundary, never through it
+    expect_valid(K); // the vertex approaches the domain boundary, but never crosses it
     K.set_coord(0_v, {0, 0});
-    // The edge from 1 to 2 has length 1 and distance sqrt(3/4): all but 0.02 of that may go.
+    // The edge from 1 to 2 has length 1 and distance sqrt(3/4), of which all but 0.02 may be used.
     const double s = std::sqrt(0.75);
     EXPECT_NEAR(movable_fraction(K, 0_v, {2 * s * s, 2 * s * .5}), (1 - min_altitude / s) / 2,
                 1e-12);
@@ -162,7 +162,8 @@ TEST(ReferenceDsc, EndsWhereTheBoundaryEnds) {
     options.max_iterations = 4;
     EXPECT_GT(run(K, wind, 1, 8, options).unreached, 0U);
     EXPECT_NEAR(total_area(K, 0) + total_area(K, 1), 1, 1e-12);
-    // Figure 8.3: the water's edge at the domain boundary slides along it, and the corners stay.
+    // Figure 8.3: the ends of the water's surface slide along the domain boundary, and corners
+    // stay.
     Complex water = grid(4, 1, [](std::uint32_t, std::uint32_t j) { return j == 0; });
     const Velocity up = [](const Point<double>&, double) { return Point<double>(.3, .3); };
     EXPECT_EQ(run(water, up, 1, 1, with_edge_length(1)).unreached, 0U);

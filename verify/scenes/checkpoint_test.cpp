@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run that is broken off and resumed ends with the same bits, counts and figures as one that is
-// not; and a checkpoint that is damaged, or belongs to something else, is refused.
+// An interrupted and resumed run ends with the same mesh, counts and figures as one without
+// interruption; damaged or foreign checkpoints are refused.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/json.h"
 #include "scenes/run/run.h"
@@ -69,7 +69,7 @@ RunOptions options_of(const Broken& run) {
     return options;
 }
 
-// All but times, in the result and in its rows.
+// The result and its rows, without times.
 nlohmann::json figures_of(RunResult result) {
     auto json = nlohmann::json::parse(to_json(result));
     for (const char* time :
@@ -109,7 +109,7 @@ void expect_same_when_broken(const Broken& run, const std::string& path) {
     EXPECT_NE(begun.mesh_hash, whole.mesh_hash) << "nothing happens after the break";
 }
 
-// Coarse, and only as many steps as it takes.
+// Coarse runs with as few steps as the test needs.
 const std::vector<Broken>& quick_runs() {
     using enum Strategy;
     static const std::vector<Broken> runs{
@@ -149,7 +149,7 @@ void run_small(const Broken& run, const std::string& to, const Checkpoint* from)
     (void)run_scene(scene, parameters_of(run, scene), options);
 }
 
-// The sentence with which a checkpoint of `small` is refused by another run.
+// The message with which another run refuses a checkpoint of `small`.
 std::string refusal(const Broken& other, const std::string& path) {
     run_small(small, path, nullptr);
     const Checkpoint checkpoint = read_checkpoint(path);
@@ -174,7 +174,7 @@ TEST_F(Checkpoints, AnotherRunIsRefused) {
     EXPECT_NE(refusal(other, path).find("real=double"), std::string::npos);
 }
 
-// The same words on the command line, but a file that they name has changed.
+// The command line is the same, but a file that it names has changed.
 TEST_F(Checkpoints, ARunThatBeganWithAnotherMeshIsRefused) {
     run_small(small, path, nullptr);
     const Checkpoint checkpoint = read_checkpoint(path);
@@ -250,8 +250,8 @@ TEST_F(Checkpoints, WhatIsNoComplexIsRefused) {
     }
 }
 
-// With a checksum that fits: whoever wrote it, it is refused or read, and nothing is touched that
-// is not there. What has been read is measured, so that it is looked at.
+// Damaged content with a valid checksum is either refused or read, without invalid memory accesses.
+// Accepted content is measured, so that all of it is used.
 TEST_F(Checkpoints, WhatCannotBeTrueIsRefused) {
     run_small(small, path, nullptr);
     const Checkpoint whole = read_checkpoint(path);

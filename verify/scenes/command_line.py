@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of the command lines share: a program is called, and a bad call ends with code 2 (1
-where the run had begun) and one sentence on stderr that says what is wrong, the value and what is
-allowed; and it leaves no half-written file.
+"""Common parts of the tests of command lines: a bad call must end with code 2 (1 if the run had begun) and
+one sentence on stderr that says what is wrong, the value and what is allowed; and it must leave no
+half-written file.
 
 The environment names the build (DSC_BUILD).
 """
@@ -19,11 +19,11 @@ HARD = os.path.join(BUILD, "verify", "dsc_hard")
 ROOM = os.path.dirname(os.path.abspath(__file__))
 SUITES = os.path.join(os.path.dirname(ROOM), "suites")
 SHORT = ["--set", "h=0.05", "--set", "steps=4"]
-PROMPTLY = 120  # seconds; a bad call takes none
+PROMPTLY = 120  # seconds; bad calls must end at once
 
 
 def limited_to(size):
-    """No file may grow beyond so many bytes: what a full disk looks like to a program."""
+    """Limits the size of files to this many bytes, which looks like a full disk to a program."""
     def prepare():
         signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
@@ -49,7 +49,7 @@ class CommandLine(unittest.TestCase):
         return sorted(name for _, _, names in os.walk(self.folder) for name in names)
 
     def expect_refusal(self, *arguments, words=(), code=(2,), prepare=None):
-        """One sentence that holds all of the words; nothing left behind."""
+        """Expects one sentence that contains all of the words, and no new files."""
         before = self.files()
         done = self.call(*arguments, prepare=prepare)
         self.assertIn(done.returncode, code, f"{arguments}: {done.stderr}")

@@ -68,7 +68,7 @@ TEST(CurvatureScenes, AreNotForTheReference) {
         (void)run_scene(scene, scene.defaults, options);
         FAIL() << "nothing was thrown";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.where(), "--strategy"); // and not that there is no velocity
+        EXPECT_EQ(error.where(), "--strategy"); // rather than an error about a missing velocity
     }
 }
 

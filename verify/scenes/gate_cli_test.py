@@ -9,7 +9,7 @@ from command_line import VERIFY, HARD, SUITES, limited_to, CommandLine
 
 
 class Gate(CommandLine):
-    """Of the gate's checks only the cheapest ones run here; all of them run as the gate."""
+    """Only the gate's cheapest checks run here; the gate runs all of them."""
     program = VERIFY
     cheap = "accuracy_area"
     with_reference = "reference_area"  # draws histograms as well
@@ -20,7 +20,7 @@ class Gate(CommandLine):
         return self.path(name)
 
     def suite(self, name, old, new):
-        """One of ours, with a change."""
+        """One of the project's suites, with a change."""
         with open(os.path.join(SUITES, name), encoding="utf-8") as stream:
             text = stream.read()
         self.assertIn(old, text)
@@ -60,7 +60,7 @@ class Gate(CommandLine):
         self.assertEqual(len(suites.findall(".//failure")), 1)
 
     def test_what_is_run(self):
-        """A scene, a group of checks, and runs side by side, which print the same."""
+        """Chooses scenes and a group of checks; simultaneous runs print the same."""
         printed = set()
         for jobs in (1, 2):
             done = self.call("run", "translation", "scaling", "--only", "validity,area_ratio",
@@ -86,7 +86,7 @@ class Gate(CommandLine):
 
 
 class HardCases(CommandLine):
-    """Only the cheapest cases run here; all of them are tests of their own."""
+    """Only the cheapest hard cases run here; each case also has a test of its own."""
     program = HARD
     cheap = ("nan-some", "size-1e-75")
 

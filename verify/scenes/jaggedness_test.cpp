@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scenes whose interface is jagged, told from those whose interface is not.
+// The measure distinguishes jagged interfaces from smooth ones.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/run/run.h"
 
@@ -8,7 +8,7 @@
 namespace dsc::scenes::jaggedness_test {
 namespace {
 
-// What linear insertion does to a curve shows in its turns, not in its area.
+// Linear insertion changes the turns of a curve, but hardly its area.
 TEST(Jagged, LinearInsertionIsJagged) {
     const Scene& scene = find_scene("swirl");
     Parameters parameters = scene.defaults;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The mesh of every scene, strategy, precision and number of threads, bit for bit, against a table
-// (mesh_hashes.txt). A change that is to change no result is held to it; a change that is to
-// change one replaces the entries that it changes, and says why.
+// (mesh_hashes.txt). A change of the code that must not change results has to pass this test; one
+// that changes results on purpose replaces the entries, and its commit says why.
 //
 //   DSC_TESTS=long    runs each scene to its end, not only for its first steps
 //   DSC_TESTS=few     only the quickest scenes, without the reference: enough to notice that a
@@ -36,7 +36,7 @@ std::string hexadecimal(std::uint64_t value) {
     return text.str();
 }
 
-// The first steps as they are in a whole run: with the time step that this would have.
+// The first steps of a whole run, with the whole run's time step.
 Parameters shortened(const Scene& scene, RealType real) {
     Parameters parameters = scene.defaults;
     parameters.real = real;
@@ -124,7 +124,7 @@ TEST_P(MeshHashes, AreThoseOfTheTable) {
                 continue;
             }
             SCOPED_TRACE(to_string(strategy) + ", column " + std::to_string(column_of(real)));
-            // Two threads in the short runs as well: there one of them would prove nothing new.
+            // Short runs use two threads; one thread would prove nothing new there.
             if (is_long() || !is_parallel(strategy)) {
                 EXPECT_EQ(run_hash(scene, strategy, real, 1), hash) << "1 thread";
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The meters of a run on runs whose faults are known: they must not say that all is well.
+// The measurements of a run must detect known faults.
 #include "scenes/run/run.h"
 #include "scenes/scene.h"
 
@@ -83,9 +83,9 @@ TEST(Meters, RememberTheWorstTriangleOfTheWholeRun) {
     EXPECT_LT(worst, number(result.last, "min_quality"));
 }
 
-// Multiples of the step, not sums of it: the last one ends where the scene ends.
+// Times are multiples of the step, not sums, so that the last step ends exactly at the scene's end.
 TEST(Meters, CountTimeWithoutRoundingItStepByStep) {
-    constexpr double dt = 0.005; // of which sums are rounded differently from multiples
+    constexpr double dt = 0.005; // its sums are rounded differently from its multiples
     Scene scene = pressed(60, 0);
     scene.prepare = [usual = scene.prepare](const Parameters& parameters) {
         scenes::Setup setup = usual(parameters);

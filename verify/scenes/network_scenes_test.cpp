@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Networks of curves that move by their curvature, against what is known of them: angles at
-// junctions, the self-similar edge between four sectors, the growth of grains, areas that are kept;
-// and a drop that a pool absorbs.
+// Networks of curves that move by curvature, against theory: angles at junctions, the self-similar
+// new edge between four sectors, the growth of grains, constant areas; and a drop that a pool
+// absorbs.
 #include "measures/junctions.h"
 #include "measures/phases.h"
 #include "scenes/catalogue/catalogue.h"
@@ -48,8 +48,9 @@ TEST(ThreePhases, BecomeALensOf120DegreesToSecondOrder) {
     EXPECT_GT(std::log2(errors[0] / errors[2]) / 2, 1.8) << errors[0] << ", " << errors[2];
 }
 
-// c of the new edge's length c sqrt(t), for three angles of the rays. At 45 degrees an edge along y
-// would cost the same as the one along x: the tie goes to the phases with the smaller names.
+// The new edge has the length c sqrt(t), with c for three angles of the rays. At 45 degrees edges
+// along y and along x would have the same energy; the tie goes to the phases with the smaller
+// numbers.
 TEST(T1, OpensAnEdgeAsTheSelfSimilarSolution) {
     for (const auto& [degrees, c] :
          {std::pair{45.0, 0.77081}, std::pair{40.0, 1.08572}, std::pair{30.0, 1.87560}}) {
@@ -83,7 +84,7 @@ struct Grain {
     double sides = 0; ///< neighbours
 };
 
-// The phases that are one piece without a hole, away from the walls.
+// The phases that are one piece without a hole and away from the domain boundary.
 std::map<Phase, Grain> grains_inside(const Complex<double>& complex) {
     const PhaseReport report = measure_phases(complex);
     std::map<Phase, Grain> grains;
@@ -113,8 +114,8 @@ TEST(Grains, GrowAsTheirSidesSay) {
     parameters.steps = 200;
     parameters.dt = 0.2 * parameters.h * parameters.h;
     constexpr int every = 10;
-    constexpr int smooth = 50;  // steps after which the angles of the start are forgotten
-    std::vector<double> errors; // relative; with six sides, to the rate with seven
+    constexpr int smooth = 50;  // steps after which the initial angles have no effect
+    std::vector<double> errors; // relative; for six sides, to the rate for seven
     std::map<Phase, Grain> before;
     RunOptions options;
     options.observer = [&](int step, const Complex<double>& complex) {

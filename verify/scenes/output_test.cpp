@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run writes beside its result: when there is a frame, and what its picture shows.
+// Frames and pictures that a run writes: at which steps, and what they show.
 #include "scenes/output/frames.h"
 #include "scenes/output/pictures.h"
 
@@ -40,7 +40,7 @@ TEST(Frames, AreDueAtStepsAndTimes) {
     EXPECT_FALSE(is_frame_due({}, setup, 0));
     EXPECT_THROW(check_times({.times = {1.05}}, setup), InputError);
     EXPECT_THROW(check_times({.times = {-0.1}}, setup), InputError);
-    // 2.1 / 0.7 is more than 3 by a rounding, and reached by the third step all the same.
+    // In floating point 2.1 / 0.7 is more than 3, but the third step must still have this frame.
     setup.dt = 0.7;
     EXPECT_TRUE(is_frame_due({.folder = "f", .times = {2.1}}, setup, 3));
 }

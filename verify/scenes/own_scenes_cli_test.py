@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""dsc_verify with scenes of one's own: judged by their [limits] and by suites, as those of the catalogue are;
+"""dsc_verify with a user's scenes: judged by their [limits] and by suites, like those of the catalogue;
 limits proposed from shuffled orders; and every kind of bad call."""
 import json
 import os
@@ -77,7 +77,8 @@ class Units(OwnScenes):
 
 
 class WhereItFails(OwnScenes):
-    """A limit that is broken: what, why, where, a picture, and the run again."""
+    """The report of a broken limit: figure, reason, place, a picture, and the command that repeats the
+    run."""
 
     def broken(self, limit):
         done = self.call("run", self.scene(MINE + "[limits]\n" + limit), "--out", "out")
@@ -86,7 +87,7 @@ class WhereItFails(OwnScenes):
         return done.stdout, row
 
     def again(self, row):
-        """The command of the report gives the frame that the picture is of."""
+        """The report's command reproduces the frame of the picture."""
         words = row["place"]["command"].split()
         self.assertEqual(words[0], "dsc_scene")
         done = self.call_scene(*words[1:], "--edits", "again.edits", "--json", "again.json")
@@ -226,7 +227,7 @@ class Proposed(OwnScenes):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(self.read("l.toml"), before)
         done = self.call("propose", path, "--orders", "4", "--update")
-        # What is required is not loosened, nor may it be far from what is measured.
+        # A limit of the rule "required" is not loosened, and must not be far from the measurement.
         self.assertEqual(done.returncode, 2)
         self.assertIn("area_ratio", done.stderr)
         self.assertEqual(self.read("l.toml"), before)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the command line can set: good values arrive, bad ones are refused with the key, the value
-// and what is allowed, and leave everything as it was.
+// Parameters of the command line: good values are set; bad ones are refused with the key, the value
+// and what is allowed, and change nothing.
 #include "scenes/keys.h"
 
 #include "support/enumerators.h"
@@ -101,7 +101,7 @@ std::vector<Bad> bad_values() {
 INSTANTIATE_TEST_SUITE_P(Parameters, BadValue, testing::ValuesIn(bad_values()),
                          [](const auto& one) { return std::to_string(one.index); });
 
-// What a result file says of a run can be given back to the command line.
+// Parameters are printed in result files in the form that the command line reads.
 TEST(Parameters, ArePrintedAsTheyAreRead) {
     const std::map<std::string, std::string> texts{
         {"h", "0.125"},           {"dt", "0.5"},         {"steps", "260"},
@@ -126,7 +126,7 @@ TEST(Parameters, ArePrintedAsTheyAreRead) {
     }
 }
 
-// Where an option is one of several, each of these can be set and is named in the error.
+// Each value of an option that is an enumeration can be set, and the error lists all values.
 template <class Enum, std::size_t n>
 void expect_all_choices(const std::string& name, const EnumTable<Enum, n>& table) {
     for (const auto& one : table) {
@@ -216,7 +216,7 @@ TEST(Catalogue, HasScenesWithNamesKeysAndSense) {
     }
 }
 
-// What --set changes is what the scene does.
+// Scenes use the parameters that --set changes.
 TEST(Catalogue, FollowsItsParameters) {
     const Scene& scene = find_scene("scaling");
     Parameters parameters = scene.defaults;

@@ -40,7 +40,7 @@ class SceneGood(CommandLine):
         self.assertEqual(int(rows[-1]["triangles"]), result["triangles_last"])
 
     def test_three_dimensions(self):
-        """A ball that is advected comes to where it belongs, the same at each call."""
+        """A ball that is advected reaches its exact position, with the same result in each call."""
         results = []
         for _ in range(2):
             done = self.call("run", "translation-3d", "--set", "h=0.0625", "--json",
@@ -58,7 +58,8 @@ class SceneGood(CommandLine):
         self.assertGreater(result["min_dihedral_deg_ever"], 7)
 
     def test_a_slotted_sphere_keeps_its_slot(self):
-        """The edges that the first complex has rounded are all that differs after a turn."""
+        """After a full turn, only the sphere's sharp edges, which the first complex rounds, differ from the
+        exact shape."""
         done = self.call("run", "slotted-sphere", "--set", "h=0.03125", "--json", self.path("r.json"))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(self.path("r.json"), encoding="utf-8") as stream:
@@ -69,7 +70,7 @@ class SceneGood(CommandLine):
         self.assertGreater(result["min_dihedral_deg_ever"], 7)
 
     def test_frames_in_three_dimensions(self):
-        """A flow that comes back is measured half-way, where a coarse film is already off."""
+        """A flow that returns is also measured half-way, where a coarse film is already inaccurate."""
         done = self.call("run", "enright", "--set", "h=0.0625", "--set", "period=0.5", "--json",
                          self.path("r.json"), "--frames", self.path("f"), "--at", "0.25")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -81,7 +82,7 @@ class SceneGood(CommandLine):
                          ["enright.pvd", "enright_00004.ply", "enright_00004.vtu"])
 
     def test_threads_are_enough(self):
-        """The interface is long enough for two threads to be used, once they are tried."""
+        """The interface is long enough that two threads are used once they have been tried."""
         hashes = set()
         for arguments, used in ((["--threads", "1"], 1), (["--threads", "2"], 2),
                                 (["--strategy", "cells"], 1)):
@@ -145,7 +146,7 @@ class Refusals(CommandLine):
                 call, words = line.split(" |")
                 program, *arguments = shlex.split(call)
                 self.program = {"dsc_scene": SCENE, "dsc_verify": VERIFY, "dsc_hard": HARD}[program]
-                # Quotes are a part of the sentence where they are single.
+                # Single quotes belong to the message; double quotes group words.
                 self.expect_refusal(*arguments, words=[word.strip('"') for word in
                                                        re.findall(r'"[^"]+"|\S+', words)])
         with open(self.path("file"), encoding="utf-8") as stream:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command line of dsc_scene: runs that are broken off and resumed, and what they write on the way."""
+"""The command line of dsc_scene: runs that are interrupted and resumed, and the files they write."""
 import csv
 import json
 import os
@@ -39,7 +39,7 @@ class Checkpoints(CommandLine):
         self.same(self.result("--resume", "c"), whole)
 
     def endless(self, *arguments, prepare=None):
-        # Of a shape that is stretched more and more, the exact one takes long.
+        # A translation: for shapes that are stretched, computing the exact shape would take too long.
         return subprocess.Popen([SCENE, "run", "translation", "--set", "h=0.02", "--set",
                                  "steps=1000000", *arguments], stdout=subprocess.DEVNULL,
                                 stderr=subprocess.PIPE, text=True, cwd=self.folder,
@@ -80,7 +80,8 @@ class Checkpoints(CommandLine):
                          part["steps"] + 2)
 
     def test_what_is_ignored_stays_so(self):
-        """As under nohup, or in the background of a script."""
+        """Signals that are ignored at the start, as under nohup or in the background of a script, stay
+        ignored."""
         def ignore():
             for number in (signal.SIGHUP, signal.SIGINT):
                 signal.signal(number, signal.SIG_IGN)
@@ -139,7 +140,7 @@ class Checkpoints(CommandLine):
 
 
 class Destinations(CommandLine):
-    """Where results go, and that no file is written over another of the same call."""
+    """Output files: where results go, and that no output overwrites another file of the same call."""
     program = SCENE
     RUN = ["run", "mine.toml", "--set", "steps=2"]
 
@@ -229,7 +230,7 @@ class Destinations(CommandLine):
                 self.assertEqual(done.returncode, 1, call)
                 self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
                 self.assertIn("standard output", done.stderr)
-        # Who reads no further has what it wants.
+        # A reader that closes the pipe early is no error.
         done = subprocess.run(f"{SCENE} list | head -1", shell=True, check=True,
                               capture_output=True, text=True)
         self.assertEqual((done.stdout.count("\n"), done.stderr), (1, ""))

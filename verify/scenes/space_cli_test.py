@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Scenes of one's own in three dimensions: run, broken off, resumed, held to limits, and every kind of bad file."""
+"""A user's scenes in three dimensions: run, interrupted, resumed, held to limits, and every kind of bad
+file."""
 import json
 import os
 import unittest
@@ -46,7 +47,7 @@ vertex_error_rms_h = 0.01
 unreached = 0
 min_dihedral_deg_ever.min = 5
 """
-# A box whose faces have four corners each; the last one is its lid.
+# A box with quadrilateral faces; the last face is its lid.
 BOX = """v 2 2 3\nv 8 2 3\nv 8 8 3\nv 2 8 3\nv 2 2 7\nv 8 2 7\nv 8 8 7\nv 2 8 7
 f 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n"""
 

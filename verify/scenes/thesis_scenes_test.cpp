@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the thesis shows of its scenes (sections 9.2, 9.5 and 9.8), held to numbers: a circle that
-// stays round, a value that is left behind, and triangles whose size depends on the phase or the
-// place.
+// Properties of the thesis's scenes (sections 9.2, 9.5 and 9.8), as numbers: a circle stays round,
+// a value is left behind, and the size of triangles depends on the phase or the position.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"
@@ -136,8 +135,8 @@ TEST(QualityCombinations, AreFineAndCoarseWhereTheyAreAskedToBe) {
 }
 
 struct Sides {
-    double left = 0;  ///< mean over what lies in the left quarter of the circle's width
-    double right = 0; ///< and in the right one
+    double left = 0;  ///< mean over the left quarter of the circle's width
+    double right = 0; ///< mean over the right quarter
 };
 
 TEST(QualityVarying, IsCoarseAtTheLeftEndAndFineAtTheRightOneAtAllTimes) {
@@ -146,7 +145,7 @@ TEST(QualityVarying, IsCoarseAtTheLeftEndAndFineAtTheRightOneAtAllTimes) {
     const double dt = scene.prepare(scene.defaults).dt;
     options.observer = [&](int step, const Complex<double>& complex) {
         if (step == 0) {
-            return; // the interface is cut at the edge length
+            return; // at first, all interface edges have the edge length
         }
         const double radius = 0.1 + step * dt;
         const auto side_of = [&](double x) {
@@ -183,7 +182,7 @@ TEST(QualityVarying, IsCoarseAtTheLeftEndAndFineAtTheRightOneAtAllTimes) {
 
 // --- the first frames ---------------------------------------------------------------------------
 
-// The number of triangles at step 0 against that of the thesis, at edge lengths for which it is.
+// The number of triangles at step 0 agrees with that of the thesis, for the thesis's edge lengths.
 TEST(ThesisFrames, BeginWithAsManyTrianglesAsTheThesisWithinThreePerCent) {
     for (const char* name : {"translation", "translation-phase", "interpolation"}) {
         const RunResult result = run_with(name, {"h=0.0525", "dt=0.001", "steps=1"});

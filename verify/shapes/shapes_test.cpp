@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outlines and the shapes of the scenes: areas in closed form, corners where they are asked for.
+// Outlines and the shapes of the scenes: areas in closed form, and corners at the given points.
 #include "dsc/base/error.h"
 #include "measures/symmetric_difference.h"
 #include "shapes/shapes.h"
@@ -24,7 +24,7 @@ OverlapAreas areas_of(const Outline& p, const Outline& q, FillRule rule = FillRu
 
 TEST(Outline, AreaDoesNotLoseDigitsFarFromTheOrigin) {
     const Outline near = transformed(circle({0.0, 0.0}, 0.5, 0.01), 1.0, {0.0, 0.0});
-    Outline grid = near; // coordinates that survive the offset exactly
+    Outline grid = near; // coordinates to which the offset is added exactly
     for (Point<double>& p : grid) {
         p = {std::round(std::ldexp(p.x(), 20)) * 0x1p-20,
              std::round(std::ldexp(p.y(), 20)) * 0x1p-20};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first complex where edges grow away from the interface: as good as the uniform one, small,
-// and such that the first step has nothing to mend.
+// The first complex with edges that grow away from the interface: as good as the uniform one,
+// small, and good enough that the first step changes nothing.
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 
@@ -62,7 +62,7 @@ TEST(GradedStart, HasAsManyTrianglesAsItsTargetsCallFor) {
     EXPECT_GT(count(1.3, h / 2), 2000U);
     EXPECT_LT(count(2, h), count(1.3, h));
     EXPECT_LT(count(1.3, h), count(1.1, h));
-    // Nearly all are near the curve.
+    // Nearly all triangles are near the curve, so their number grows little faster than 1 / h.
     EXPECT_LT(count(1.3, h / 2), 2.5 * count(1.3, h));
 }
 
@@ -71,7 +71,7 @@ TEST(GradedStart, IsOfGoodQuality) {
         const Complex<double> complex = disc<double>({.growth = growth});
         EXPECT_EQ(validate(complex).problem, "");
         EXPECT_GE(smallest_angle(complex), 20) << growth;
-        // Where edges double from one to the next, triangles cannot be equilateral.
+        // If the length doubles from one edge to the next, triangles cannot be equilateral.
         EXPECT_GE(median_quality(complex), growth < 1.5 ? 0.82 : 0.74) << growth;
         EXPECT_TRUE(complex.attributes.empty());
     }
@@ -92,7 +92,7 @@ TEST(GradedStart, LeavesTheFirstStepNothingToMend) {
     Options<double> options = test::options_for<double>(h);
     options.sizes.growth = 1.3;
     measure_sizes(complex, options.sizes, h, 0.0);
-    // Vertices of the interface have to stay, however short the edges about them are.
+    // Vertices of the interface must stay, however short the edges at them are.
     const double free = complex.vertex_count() - 95.0;
     EXPECT_LT(static_cast<double>(out_of_size(complex, options).size()) - 95.0, free / 8);
     Simulation<double> simulation(complex, options);
@@ -119,8 +119,9 @@ TEST(GradedStart, FollowsThePlace) {
     EXPECT_GT(count[0], 5 * count[1]);
 }
 
-// A curve ends on a side of the domain with edges of a fiftieth of the edge length, which grow
-// along it. The sides of both phases are as fine there, and so is all that lies between.
+// A curve ends on a side of the domain. Its edges there have a fiftieth of the edge length, and
+// grow along the curve. The mesh of both phases must be as fine around that end, also along the
+// side.
 TEST(GradedStart, SidesAreAsFineAsTheInterfaceThatEndsThere) {
     const Point<double> tip(0.5, 0);
     const auto length_at = [&](const Point<double>& p, double) {

@@ -83,7 +83,7 @@ TEST_P(InterfaceLengths, FollowThePlace) {
         EXPECT_EQ(validate(complex).problem, "");
     }
     const Lengths lengths = lengths_of(complex);
-    EXPECT_LT(lengths.longest, 1.2); // a step may lengthen what remeshing has left
+    EXPECT_LT(lengths.longest, 1.2); // a step may lengthen edges after remeshing
     EXPECT_GT(lengths.left, 2 * lengths.right);
     EXPECT_LT(lengths.right, 1.5 * finest);
     EXPECT_NEAR(phase_area(complex, 1), 3.1416 * std::pow(0.08 + 18 * finest, 2), 0.004);
@@ -134,8 +134,8 @@ TEST(InterfaceLength, IsNoShorterThanTheEdgeLengthAndNotWithoutGrowth) {
     EXPECT_EQ(simulation.interface_size(), before);
 }
 
-// What is no length is refused with its place: before there is a simulation, and in a step, after
-// which the complex is valid and other steps go on.
+// A size function that returns no length is refused with the position: when a simulation is made,
+// and in a step, after which the complex is valid and further steps work.
 TEST_P(InterfaceLengths, ThatAreNoneAreRefused) {
     for (const double bad : {0.0, -1.0, std::nan("")}) {
         std::atomic<bool> is_bad = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a target goes from vertex to vertex: who is told of a change, and what a new vertex begins
-// with.
+// The spread of targets from vertex to vertex: which vertices are listed after a change, and the
+// first target of a new vertex.
 #include "dsc/complex/gather.h"
 #include "dsc/passes/mesh/size_update.h"
 
@@ -30,14 +30,15 @@ protected:
         options.sizes.by_place = [this](const Point<double>& p, double, Phase) {
             return p.norm() < 0.1 ? at_origin : 4.0;
         };
-        // All of it is inside one phase: nothing is on an interface but the sides of the domain.
+        // All triangles get the exterior's phase, so that even the domain boundary is not on the
+        // interface.
         for (const Triangle t : triangles(complex)) {
             complex.set_phase(t, exterior_phase);
         }
         measure_sizes(complex, options.sizes, options.edge_length, 0.0);
     }
 
-    // Who is told when the target at the origin has changed.
+    // The vertices that are listed for a visit after the target at the origin has changed.
     std::vector<std::uint32_t> told_of(double target) {
         at_origin = target;
         Work<double> work(complex, options);
@@ -59,7 +60,8 @@ TEST_F(Told, AreAllNeighboursOfATargetThatFalls) {
     EXPECT_EQ(told_of(2).size(), 6U);
 }
 
-// Over one edge it is lower than what they have, over two it would not be.
+// The new target reaches the neighbours (one edge) below their own targets, but would not over two
+// edges.
 TEST_F(Told, AreNeighboursThatAFallReachesJustSo) { EXPECT_EQ(told_of(3.3).size(), 6U); }
 
 TEST_F(Told, AreVisitedInTheNextPassOnceEach) {
@@ -93,7 +95,7 @@ TEST_F(Told, ANewVertexBeginsWithTheMeanOfTheEndsOfItsEdge) {
     EXPECT_EQ(field[split.vertex].distance, 5);
 }
 
-// Vertex 0 of a honeycomb, and what its star knows.
+// The target of vertex 0 of a honeycomb that follows from its star.
 class Followed : public testing::Test {
 protected:
     double follow() {
@@ -111,7 +113,7 @@ protected:
     Options<double> options = test::options_for<double>(1);
 };
 
-// The interface has come to it.
+// The interface has reached the vertex.
 TEST_F(Followed, AVertexOfTheInterfaceHasTheFinestTarget) {
     options.sizes.growth = 1.3;
     options.sizes.longest = 4;
@@ -125,7 +127,8 @@ TEST_F(Followed, AVertexOfTheInterfaceHasTheFinestTarget) {
     EXPECT_EQ(told, 6U);
 }
 
-// The target stays as it is, but not the distance that others have theirs from.
+// The vertex's target does not change, but its distance from the interface does, on which other
+// targets depend.
 TEST_F(Followed, ADistanceThatHasChangedIsToldToAll) {
     options.sizes.growth = 1.3;
     options.sizes.longest = 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Targets of edges that grow away from the interface, kept as it moves: in each of the ways that
-// there are.
+// Targets of edges that grow away from the interface, kept up to date as it moves, for every kind
+// of size option.
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 
@@ -68,7 +68,8 @@ TEST_P(GradedMesh, CoarsensFarAwayAndKeepsTheCurve) {
     }
 }
 
-// What is stored may lag behind, by the slack at each ring and by a ring a pass.
+// Stored targets may lag behind the exact ones: by the slack for each ring of vertices, and by one
+// ring for each pass.
 TEST_P(GradedMesh, TargetsAreThoseOfTheMeshAsItIs) {
     Complex<double> complex = small_disc();
     auto simulation = make_simulation(complex, graded(), GetParam());
@@ -108,7 +109,7 @@ TEST_P(GradedMesh, CoarsensWhatTheInterfaceLeavesBehind) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, GradedMesh, testing::ValuesIn(all_courses), course_name);
 
-// Targets may change far from the interface: the submeshes there remesh, although nothing moves.
+// If targets change far from the interface, the submeshes there remesh although nothing moves.
 TEST_P(GradedMesh, FollowsTheTimeFarFromTheInterface) {
     Complex<double> complex = small_disc();
     Options<double> options = graded(1.5);

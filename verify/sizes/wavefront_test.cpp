@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a value reaches a point across a triangle, and how targets spread over a whole mesh: also
-// from the domain boundary, and in stars with a single triangle of a phase.
+// How a distance propagates across a triangle, and how targets spread over a whole mesh: also from
+// the domain boundary, and in stars with a single triangle of a phase.
 #include "support/random/scene.h"
 #include "support/small_meshes.h"
 
@@ -92,7 +92,7 @@ TEST(MeasureSizes, AreBoundByEachOption) {
     EXPECT_DOUBLE_EQ(most(lengths(too_fine)), h);
 }
 
-// Only the first or the last vertex of the link has a low value.
+// In turn, only the first or the last vertex of the link has a low value.
 TEST(WavefrontLimits, BothEndsOfAnOpenLinkCount) {
     const auto complex = test::grid<double>(4, 0.1);
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
@@ -112,8 +112,8 @@ TEST(WavefrontLimits, BothEndsOfAnOpenLinkCount) {
     }
 }
 
-// Vertex 0 is reached late, from 1 alone; the front from the domain boundary's edge between 0 and 3
-// arrives at 2 before any that goes along an edge.
+// Vertex 0 gets its value late and only from vertex 1. The front from the boundary edge between 0
+// and 3 then reaches vertex 2 before any front along an edge.
 TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
     const std::vector<Point<double>> points{{0, 0}, {0.3, 0.02}, {-1, 1}, {-2, 0}};
     auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
@@ -135,7 +135,7 @@ TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
     EXPECT_NEAR(field[Vertex{2}].length, straight, 1e-12);
 }
 
-// Targets at random, about as far apart as their edges let them be.
+// Random targets, whose differences are about as large as the lengths of edges allow.
 TEST(SizeLimits, WhatIsSeenToStayIsNotFollowed) {
     Complex<double> complex = test::disc_complex<double>(h, {0.5, 0.5}, radius);
     std::mt19937 random(1);

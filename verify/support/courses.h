@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common parts of the tests of edits and options: a disc in a swirl, run sequentially and by each
+// Common parts of the tests of edits and options: a disc in a swirl, run sequentially and with each
 // division.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Requests of the environment for longer or shorter tests.
+// Environment variables that ask for longer or shorter tests.
 #pragma once
 
 #include <cstdlib>

@@ -111,7 +111,7 @@ public:
         reference::Complex copied = given_.copied;
         Verdict expected = literal(copied);
         if (expected == Verdict::not_a_simplex) {
-            expected = Verdict::on_submesh_boundary; // the simplex lies outside the submesh
+            expected = Verdict::on_submesh_boundary; // the simplex is not in the submesh
         }
         ++tally_.verdicts[{operation, verdict}];
         ++tally_.compared;
@@ -136,7 +136,7 @@ public:
         }
         if (verdict == Verdict::legal) {
             if (operation == "smoothing") {
-                // Sums in another order round differently.
+                // Sums in a different order are rounded differently.
                 const Vertex v = vertices.front();
                 const Point<double> p = complex.position(v).template cast<double>();
                 ASSERT_LT((copied.coord(v) - p).norm(), 1e-12 * (1 + p.norm())) << what();
@@ -147,9 +147,10 @@ public:
     }
 
 private:
-    // Allowed differences. The reference does not know the mesh outside its submesh: neither the
-    // domain boundary there, nor an edge onto which a collapse would fall, which it refuses because
-    // triangles would be inverted. And gains below rounding may be seen or not.
+    // Allowed differences. The reference does not know the mesh outside its submesh, neither the
+    // domain boundary nor edges there. If a collapse would put the vertex onto such an edge, the
+    // reference refuses it because triangles would be inverted. And gains below rounding error may
+    // be detected or not.
     bool excused(const std::string& operation, Verdict verdict, Verdict expected,
                  const std::vector<Vertex>& vertices, const reference::Complex& after) const {
         const auto is_pair = [&](Verdict a, Verdict b) {

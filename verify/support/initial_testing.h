@@ -48,8 +48,8 @@ std::size_t interface_edge_count(const Complex<Real>& complex) {
 /// for flips, this one is relative to the lengths, so rectangles pass it.
 template <class Real>
 bool is_locally_delaunay(const Complex<Real>& complex, Corner corner) {
-    // Scalars, here and below: without optimisation, under the sanitizers, vectors of Eigen take
-    // longer than the tested code.
+    // Scalars are used here and below, because under the sanitizers, without optimisation, Eigen's
+    // vectors take longer than the tested code.
     struct Place {
         double x, y;
     };

@@ -22,8 +22,8 @@ Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<In
                               std::span<const Indices>(triangles), std::span<const Phase>(phases));
 }
 
-/// Vertex 0 in the middle, 1 to n around it counter-clockwise on the unit circle; triangle i is
-/// (0, i, i + 1).
+/// A wheel: vertex 0 in the middle, 1 to n around it counter-clockwise on the unit circle; triangle
+/// i is (0, i, i + 1).
 template <class Real>
 Complex<Real> wheel(std::uint32_t n) {
     std::vector<Point<Real>> points{{0, 0}};

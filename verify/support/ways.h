@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sequential method, or one division of the mesh into four submeshes, on one thread.
+// The ways to run a simulation: sequentially, or with one division of the mesh into four submeshes,
+// on one thread.
 #pragma once
 
 #include "dsc/algorithm/executor.h"

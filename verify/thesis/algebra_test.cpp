@@ -83,10 +83,10 @@ void expect_definitions(const Complex<Real>& complex, const Family& all, Simplex
     EXPECT_EQ(family(complex, boundary(complex, simplex)), faces);
     EXPECT_EQ(family(complex, star(complex, simplex)), star_of(all, {s}));
     EXPECT_EQ(family(complex, link(complex, simplex)), link_of(all, s));
-    // and the same by the composition of the library's own operations
+    // the link composed of the library's star and closure must be the same
     EXPECT_EQ(link(complex, simplex),
               closure(complex, star(complex, simplex)) - star(complex, closure(complex, simplex)));
-    // a star contains the stars of its members; a closure the closures
+    // star and closure are idempotent
     const SimplexSet around = star(complex, simplex);
     EXPECT_EQ(star(complex, around), around);
     const SimplexSet closed = closure(complex, simplex);
@@ -124,7 +124,7 @@ TYPED_TEST(Algebra, RelationsAreTheirDefinitionsWhereIdsAreFree) {
     hole.insert(Triangle{1}); // at a corner of the domain
     remove(complex, hole);
     ASSERT_EQ(validate(complex).problem, "");
-    // The corner's vertex may be left without triangles: it is its own star then.
+    // The vertex at the corner may be left without triangles; its star is then only itself.
     SimplexSet unused;
     for (const Vertex v : vertices(complex)) {
         if (complex.vertices[v.id].corner == no_id) {
@@ -190,7 +190,7 @@ TYPED_TEST(Algebra, Figures38And39SkeletonAndFilter) {
 
 // --- sets ----------------------------------------------------------------------------------------
 
-// As std has them for sets of simplices that are sets of vertices.
+// Compares the operations with those of std::set on simplices that are sets of vertices.
 TEST(SimplexSets, HaveTheOperationsOfSets) {
     std::mt19937 random(11);
     const auto complex = grid<double>(4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The centred difference: its order, and what it remembers.
+// The centred difference: its order, and its memory of the last step.
 #include "thesis/algorithm/centred_difference.h"
 
 #include "support/courses.h"
@@ -21,12 +21,12 @@ namespace {
 
 using test::options_for;
 
-// A turn about the origin whose speed changes: by sin(t) from time 0 to t.
+// A rotation about the origin with changing speed: by the angle sin(t) from time 0 to t.
 const Velocity<double> changing_turn = test::pointwise([](const Point<double>& p, double time) {
     return Point<double>(std::cos(time) * Point<double>(-p.y(), p.x()));
 });
 
-// One point, remembered as if it were the first vertex of a complex.
+// Integrates one point, as if it were the first vertex of a complex.
 class OnePoint {
 public:
     explicit OnePoint(const Point<double>& start) : at_{start} {
@@ -53,7 +53,7 @@ private:
     IntegratorScratch<double> scratch_;
 };
 
-// With steps whose lengths alternate where `ratio` is not 1.
+// The error with steps of alternating lengths, if `ratio` is not 1.
 double error_after(int steps, double ratio) {
     OnePoint point({1, 0});
     double time = 0;
@@ -74,8 +74,8 @@ TEST(CentredDifference, HasSecondOrderForEqualAndForUnequalSteps) {
     }
 }
 
-// The velocity is at right angles to the last step: it jumps, as at the tip where two growing discs
-// have met.
+// A velocity at right angles to the last step has jumped, as at the tip where two growing discs
+// meet; the last step is then not used.
 TEST(CentredDifference, LeavesAPastBehindThatLeadsElsewhere) {
     OnePoint without({0.5, 0.25});
     OnePoint with({0.5, 0.25});
@@ -86,7 +86,8 @@ TEST(CentredDifference, LeavesAPastBehindThatLeadsElsewhere) {
     EXPECT_EQ(with.at().y(), without.at().y());
 }
 
-// A flow that turns back comes to rest in between: a short step is built on, wherever it led.
+// A flow that reverses comes to rest in between; a last step that is short relative to the edges is
+// used, whatever its direction.
 TEST(CentredDifference, KeepsAPastThatIsShortBesideTheEdges) {
     OnePoint point({0.5, 0.25});
     point.past() = {Point<double>(1.0 / 512, -1.0 / 1024), 0.25};
@@ -95,8 +96,8 @@ TEST(CentredDifference, KeepsAPastThatIsShortBesideTheEdges) {
     EXPECT_EQ(point.at().y(), 0.5 + 1.0 / 1024);
 }
 
-// An error of the past, if only its rounding, enters the next step with the square of the ratio of
-// both.
+// An error of the last step, even its rounding error, enters the next step times the square of the
+// ratio of their lengths, so a much shorter last step is not used.
 TEST(CentredDifference, LeavesAPastBehindThatIsMuchShorter) {
     const std::vector<double> abrupt{0.01, 1e-12, 0.01, 1e-4, 0.01, 1e-9, 1e-6, 1e-3, 0.01};
     std::vector<double> gradual; // no step is much longer than the one before
@@ -107,7 +108,7 @@ TEST(CentredDifference, LeavesAPastBehindThatIsMuchShorter) {
         Complex<double> complex = test::disc();
         Options<double> options = options_for<double>(test::disc_h);
         options.custom_integrator = centred_difference<double>();
-        options.max_sub_steps = 50; // in place of a test without an end
+        options.max_sub_steps = 50; // so that the test ends if it fails
         Simulation<double> simulation(complex, options);
         const Vertex seen{simulation.interface().front()};
         const Point<double> start = complex.position(seen);
@@ -132,9 +133,9 @@ Velocity<double> turn(double speed) {
     });
 }
 
-// Sped up without a word, the memory is of the slower flow, and the step is off by half of itself;
-// told, it starts anew. Options made anew with the same integrator tell nothing;
-// another integrator in between does.
+// If the flow becomes faster unannounced, the memory is that of the slower flow, and the step is
+// wrong by half its length; `forget` makes it start anew. Setting options with the same integrator
+// does not clear the memory; another integrator in between does.
 TEST(CentredDifference, ForgetsWhenItIsTold) {
     enum class Told { nothing, the_same, to_forget, another };
     std::array<double, 4> error{};

@@ -28,7 +28,7 @@ Complex<double> random_mesh(std::uint64_t seed, double h) {
                            : test::random_shapes<double>(dice, h);
 }
 
-// Data and locks by place, which show where their simplex went.
+// Data and locks that depend on the position, so that tests can see where each simplex went.
 double datum(const Complex<double>& mesh, Vertex v) {
     return mesh.vertices[v.id].x + 2 * mesh.vertices[v.id].y;
 }
@@ -82,7 +82,7 @@ struct Data {
 };
 
 TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
-    CopiedSubmeshes<double> submeshes; // used repeatedly, as by the executor
+    CopiedSubmeshes<double> submeshes; // reused, as by the executor
     for (std::uint64_t seed = 0; seed <= 9; ++seed) {
         auto mesh = random_mesh(seed, 0.04);
         Data data(mesh);
@@ -93,7 +93,7 @@ TEST(CopiedSubmeshes, MergeIntoTheMeshThatWasDivided) {
                 SCOPED_TRACE("seed " + std::to_string(seed) + ", submeshes " + std::to_string(n));
                 create_submeshes(mesh, {n, 0.6, 0.8, colour}, submeshes);
                 for (const auto& submesh : submeshes.list) {
-                    lend_ids(*submesh, 7); // must not turn up in the mesh
+                    lend_ids(*submesh, 7); // these ids must not appear in the mesh
                 }
                 merge_submeshes(submeshes, mesh);
                 EXPECT_EQ(mesh_hash(mesh), hash);
@@ -137,7 +137,8 @@ TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
         EXPECT_LE(highest, low + 1e-12) << "submesh " << i;
         highest = high;
     }
-    // Black: the ends form one submesh (thesis, section 8.5), and what red locked is free.
+    // The black submeshes: the two ends form one submesh (thesis, section 8.5), and the vertices
+    // that the red ones locked are free.
     CopiedSubmeshes<double> black;
     create_submeshes(mesh, {n, 0, 1, RedBlack::black}, black);
     ASSERT_EQ(black.list.size(), n);
@@ -155,7 +156,8 @@ TEST(CopiedSubmeshes, HaveEqualSharesInTheOrderOfTheNormal) {
     }
 }
 
-// Also where there was none before: then the set alone knows how many entries a new one has.
+// The mesh may have had no attribute before; the number of entries of a new one is then known only
+// from the set of attributes.
 TEST(CopiedSubmeshes, KnowHowLongNewAttributesAre) {
     auto mesh = test::disc_complex<double>(0.1);
     mesh.attributes.add<Vertex, double>("heat").set_field(true, OnInterface::advected);

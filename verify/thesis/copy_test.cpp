@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parallel DSC as printed (thesis, algorithm 6.3), in copied submeshes: nothing that a boundary
-// holds up is lost. An exception in a copy is passed on, and leaves a complex and a simulation that
+// Parallel DSC as printed (thesis, algorithm 6.3), in copied submeshes: no work deferred at a
+// boundary is lost. An exception in a copy is passed on, and leaves a complex and a simulation that
 // can continue.
 #include "dsc/complex/gather.h"
 #include "thesis/copies/copy_executor.h"
@@ -34,8 +34,8 @@ namespace {
 using test::constant;
 using test::in_copies;
 
-// Every active vertex and every moving vertex comes to one submesh that owns its star, in some
-// round, with its own target: none is lost or handled twice, whichever boundaries it lies on.
+// In some round, every active and every moving vertex is in a submesh that owns its star, with its
+// own target: none is missed or processed twice, whichever boundaries it lies on.
 TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     constexpr double h = 0.03;
     const Point<double> way(0.002, 0.001);
@@ -103,12 +103,12 @@ TEST(CopyExecutor, HandsOnWhatBoundariesKeepFromBeingDone) {
     }
 }
 
-// More vertices than the submeshes have ids for: the rest is deferred, and done later.
+// If submeshes run out of ids for new vertices, the rest of the work is deferred and done later.
 TEST(CopyExecutor, GoesOnWhereIdsRunOut) {
     auto complex = test::disc_complex<double>(0.05);
     Options<double> options;
     options.edge_length = 0.004;
-    options.interface.longest = 20; // no vertices there, and so fewer ids for the submeshes
+    options.interface.longest = 20; // no new interface vertices, so submeshes get fewer ids
     std::atomic<int> ran_out{0};
     auto algorithm = default_algorithm<double>();
     algorithm.motion.push_back(
@@ -145,10 +145,10 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
             auto complex = test::disc_complex<double>(h);
             Options<double> options;
             options.edge_length = h;
-            // Slabs narrower than two edges leave all the work for the last run.
+            // Slabs narrower than two edges defer all work to the last, serial run.
             const std::uint32_t n = where == Where::whole ? 30 : 6;
             std::atomic<bool> faulty{true};
-            std::atomic<std::uint32_t> runs{0}; // of submeshes: counts their first passes
+            std::atomic<std::uint32_t> runs{0}; // runs of submeshes, counted by their first passes
             std::atomic<int> thrown{0};
             const Pass<double> fault{
                 "fault", [&](Work<double>& work) {
@@ -176,7 +176,7 @@ TEST(CopyExecutor, GoesOnAfterAPassThrew) {
                 EXPECT_NE(mesh_hash(complex), hash) << "red was merged";
             }
             test::expect_sound(complex, simulation);
-            // A vertex that was on the way when the step was lost must not arrive in a later one.
+            // A vertex that was moving when the step failed must not arrive in a later one.
             faulty = false;
             EXPECT_EQ(simulation.step(constant<double>(0, 0), 0, 1).operations.moves, 0U);
             EXPECT_EQ(simulation.step(constant<double>(0.01, 0), 0, 1).unreached, 0U);

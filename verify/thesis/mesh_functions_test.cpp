@@ -131,7 +131,7 @@ TYPED_TEST(MeshFunctions, AttributesFollow) {
     std::ranges::fill(at_triangle.data(), 1);
     remove(complex, SimplexSet({}, {}, {Triangle{2}}));
     for (std::uint32_t i = 0; i < 4; ++i) {
-        at_edge.data()[corner_of(2, i)] = 99; // what a free id holds does not matter
+        at_edge.data()[corner_of(2, i)] = 99; // the data of free ids do not matter
     }
     const Triangle t = insert_triangle(complex, Vertex{0}, Vertex{2}, Vertex{3}, 0);
     EXPECT_EQ(at_triangle[t], 3.0F);

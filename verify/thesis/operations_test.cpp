@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The operations of the thesis that no default pass calls, on hand-sized complexes: what their
-// comparison with the reference (reference/equivalence_test.cpp) does not ask for. A refused
+// The operations of the thesis that no default pass calls, on small complexes, in cases that the
+// comparison with the reference (reference/equivalence_test.cpp) does not cover. A refused
 // operation changes no byte; every result is validated.
 #include "support/operations_testing.h"
 #include "support/small_meshes.h"
@@ -77,7 +77,7 @@ TYPED_TEST(ThesisOperations, RetriangulationOfAnyDegree) {
 }
 
 TYPED_TEST(ThesisOperations, RetriangulationIsDelaunayWhereThatIsAskedFor) {
-    // A long box around one inner vertex: ears from one corner make slivers.
+    // A long box around one inner vertex, where cutting ears from one corner would make slivers.
     auto K = build<TypeParam>(
         {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {6, 1}, {4, 1}, {2, 1}, {0, 1}, {3, TypeParam(0.5)}},
         {{8, 0, 1}, {8, 1, 2}, {8, 2, 3}, {8, 3, 4}, {8, 4, 5}, {8, 5, 6}, {8, 6, 7}, {8, 7, 0}},
@@ -119,7 +119,7 @@ TYPED_TEST(ThesisOperations, ThePlaceOfACollapseBelongsToTheSubmesh) {
     auto K = grid<TypeParam>(5);
     Submesh submesh = Submesh(K);
     submesh.region.kind = Region::Kind::box;
-    submesh.region.low = 0.5; // owns all stars of the middle
+    submesh.region.low = 0.5; // the submesh owns all stars around the middle
     submesh.region.high = 4.5;
     const Point<TypeParam> beyond(TypeParam(0.25), 2);
     EXPECT_EQ(triangle_collapse(submesh, middle, {.place = beyond}).verdict,
@@ -128,8 +128,8 @@ TYPED_TEST(ThesisOperations, ThePlaceOfACollapseBelongsToTheSubmesh) {
     expect_valid(K);
 }
 
-// The edges that the remaining vertex had keep their data, even one that would be lost from sight
-// if the vertex of degree three went last.
+// The edges of the remaining vertex keep their data, even an edge that would be lost if the vertex
+// of degree three were collapsed last.
 TYPED_TEST(ThesisOperations, EdgesOfTheVertexThatRemainsKeepTheirData) {
     for (std::uint32_t heir = 0; heir < 3; ++heir) {
         const auto before = with_degree_three<TypeParam>();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where slabs and blocks are cut: the work is shared, widths are respected, and a colour is not cut
-// where the one before it was.
+// The positions of the cuts between slabs and blocks: the work is balanced, minimum widths are
+// respected, and a colour is not cut where the previous one was.
 #include "thesis/divisions/slabs.h"
 
 #include "support/random/scene.h"
@@ -27,8 +27,8 @@ using test::shares_of;
 
 constexpr double infinity = Region::infinity;
 
-// Black slabs straddle the cuts of the red ones: what one colour locks, the other does not. If red
-// cuts are left out because slabs would be too thin, the black ones are left out with them.
+// Black slabs straddle the cuts of the red ones, so that no vertex is locked in both colours. If
+// red cuts are left out because slabs would be too thin, the black ones are left out too.
 TEST(Cuts, OfTheTwoColoursLieApart) {
     Dice dice(3);
     for (int round = 0; round < 200; ++round) {
@@ -69,7 +69,7 @@ TEST(Slabs, ShareTheWork) {
                 EXPECT_NEAR(share, 0.2, 0.02) << degrees << " degrees, colour " << colour;
             }
         }
-        // Of all vertices, whatever their work.
+        // The counting strategy divides the number of all vertices, whatever their work.
         SlabPartitioner<double> counting(slab_options(Slabbing::counting, 5, degrees));
         disc.divide(counting);
         std::vector<int> count(5, 0);
@@ -141,7 +141,7 @@ TEST(Cuts, OfFewSlabsAreFew) {
     const Cuts two = cuts_of_equal_share(positions, 2, 1);
     ASSERT_EQ(two.red.size(), 3U);
     EXPECT_NEAR(two.red[1], 50, 1);
-    // None is thinner than asked for.
+    // No slab is thinner than the minimum.
     const Cuts wide = cuts_of_equal_share(positions, 8, 20);
     EXPECT_GE(wide.red.size(), 3U);
     for (const auto* list : {&wide.red, &wide.black}) {
@@ -185,7 +185,7 @@ TEST(Blocks, AreSquaresShiftedByThirds) {
             }
         }
     }
-    // Nothing is thinner than asked for.
+    // No block is thinner than the minimum.
     BlockPartitioner<double> wide({.submeshes = 100, .min_width = 20});
     disc.divide(wide);
     EXPECT_EQ(disc.regions(0).size(), 4U);

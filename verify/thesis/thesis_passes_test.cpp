@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The passes of the thesis's algorithm, each on a mesh that calls for it alone: what they do, and
-// whom they wake.
+// The passes of the thesis's algorithm, each on a mesh where only that pass has work: its effect,
+// and the vertices that it activates.
 #include "thesis/algorithm/thesis_algorithm.h"
 
 #include "support/simulation_testing.h"
@@ -44,7 +44,7 @@ TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMovesAndKeepsCorners) {
         work.epoch = 1;
         work.log.readers = 1;
         work.interface = collect_interface(complex);
-        // Off the middle between its neighbours.
+        // Moves a vertex away from the middle between its neighbours.
         const Vertex off{work.interface.front()};
         const Vertex next{work.interface[1]};
         complex.set_position(off, complex.position(off) +
@@ -63,8 +63,8 @@ TEST(ThesisPasses, SmoothingOfTheInterfaceWakesWhatItMovesAndKeepsCorners) {
     }
 }
 
-// Nothing but a vertex close to the domain boundary is active: the triangle between them is far too
-// small.
+// Only a vertex close to the domain boundary is active; the triangle between it and the boundary is
+// far too small.
 TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
     auto complex = test::grid<double>(6);
     constexpr std::uint32_t close = 7 + 1;
@@ -85,7 +85,8 @@ TEST(ThesisPasses, RetriangulationWakesTheCornersThatAreLeft) {
 }
 
 TEST(ThesisPasses, FlipsRepairWhatIsNotDelaunayAndNothingElse) {
-    // Two triangles with the longer diagonal of a rhombus, and two more that are as they should be.
+    // Two triangles with the longer diagonal of a rhombus, which must be flipped, and two more that
+    // are Delaunay.
     auto complex = test::build<double>({{0, 0}, {1, -0.4}, {2, 0}, {1, 0.4}, {1, 3}},
                                        {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {0, 3, 4}}, {0, 0, 0, 0});
     const auto options = options_for<double>(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Films between the interface and the domain boundary open as those between two sheets do; what is
-// thin there for other reasons stays.
+// Films between the interface and the domain boundary open like films between two sheets; thin
+// regions of other kinds stay.
 #include "support/topology/growing_discs.h"
 
 #include "dsc/queries/phases.h"
@@ -21,11 +21,11 @@ using P = Point<double>;
 constexpr double radius = 0.2;
 constexpr int steps = 60;
 
-// A disc that comes to the domain boundary, or to two sides.
+// A disc that approaches the domain boundary, or two sides of it.
 struct Approach {
     P centre;
-    P way;       ///< that it is advected
-    double rise; ///< of its radius
+    P way;       ///< displacement of the disc
+    double rise; ///< growth of the radius
     std::size_t sides;
 };
 const Approach falls{{0.5, 0.4}, {0, -0.3}, 0, 1};
@@ -61,13 +61,13 @@ void expect_clipped(const Wetted& run, const Approach& approach, double edge_len
     EXPECT_EQ(run.unreached, 0U);
     EXPECT_EQ(count(run.events, EventKind::meet), approach.sides);
     EXPECT_EQ(count(run.events, EventKind::fill) + count(run.events, EventKind::split), 0U);
-    // Between two sides a corner of the exterior is cut off.
+    // If the disc reaches two sides, it cuts off a corner of the exterior.
     std::array<std::size_t, 2> pieces{};
     for (const auto& component : components(run.complex).list) {
         ++pieces.at(component.phase);
     }
     EXPECT_EQ(pieces, (std::array<std::size_t, 2>{approach.sides, 1}));
-    // Nothing thin is left along the sides of the domain.
+    // No thin region is left along the sides of the domain.
     for (const Vertex v : vertices(run.complex)) {
         const P p = run.complex.position(v);
         EXPECT_FALSE(std::min(p.x(), p.y()) > 0 && std::min(p.x(), p.y()) < 1e-3 * edge_length);
@@ -96,8 +96,8 @@ TEST(BoundaryFilms, OpenAtAContactOfSeveralEdges) {
         const Wetted result = run(approach, wide(3 * h));
         expect_clipped(result, approach, h);
         ASSERT_FALSE(result.events.empty());
-        // It is there at two thirds and at five eighths of the time: earlier by the contact over
-        // the speed.
+        // The disc touches the boundary at two thirds and at five eighths of the time; the event is
+        // earlier by the contact distance over the speed.
         const bool is_fall = approach.rise == 0;
         const double expected = is_fall ? (0.2 - 3 * h) / 0.3 : (0.1 - 3 * h) / 0.16;
         EXPECT_NEAR(result.events.front().time, expected, 0.1);
@@ -121,7 +121,7 @@ TEST(BoundaryFilms, StayWhereTheApplicationSaysNo) {
     EXPECT_TRUE(run(falls, kept).events.empty());
 }
 
-// A cap on the domain boundary that is pressed against it: without a refusal it spreads.
+// A cap on the domain boundary that is pressed against it spreads, unless the application refuses.
 TEST(BoundaryFilms, NoVertexWetsTheBoundaryWhereTheApplicationSaysNo) {
     for (const bool refuses : {false, true}) {
         std::vector<P> arc;
@@ -148,9 +148,10 @@ TEST(BoundaryFilms, NoVertexWetsTheBoundaryWhereTheApplicationSaysNo) {
     }
 }
 
-// --- what is thin, but no film that is squeezed -------------------------------------------------
+// --- thin regions that are not squeezed films -------------------------------------------------
 
-// The curve, with phase 1 below, stays or slides along the domain boundary.
+// Checks that a curve with phase 1 below it, which stays or slides along the domain boundary, does
+// not change the topology.
 void expect_left_alone(const std::vector<P>& curve, double speed, double contact) {
     const std::vector<Curve> curves{{curve, 0, 1}};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});
@@ -160,7 +161,7 @@ void expect_left_alone(const std::vector<P>& curve, double speed, double contact
     std::uint64_t unreached = 0;
     for (int step = 0; step < 20; ++step) {
         const test::ChangingReport report = simulation.step(slide, 0, 0.4 * h);
-        // The end of a curve that is close to a corner of the domain goes there.
+        // The end of a curve close to a corner of the domain moves there.
         EXPECT_EQ(count(report.events, EventKind::t1), report.events.size());
         unreached += report.unreached;
     }

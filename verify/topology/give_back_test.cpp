@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Area that a change of topology takes is given back, to the rounding of the positions; and the
-// area that two ends of an edge sweep as they merge is noted.
+// Area taken by a change of topology is given back, up to the rounding of positions; and the area
+// swept when the two ends of an edge merge is recorded.
 #include "topology/give_back.h"
 
 #include "support/random/scene.h"
@@ -33,7 +33,7 @@ struct Work {
                             .events = events};
 };
 
-// The triangle that contains the point changes hands.
+// Gives the triangle that contains the point to another phase; returns its area.
 template <class Real>
 double take(TopologyWork<Real>& work, const Point<Real>& place, Phase phase) {
     const Triangle t = locate(work.complex, place).triangle;
@@ -115,7 +115,7 @@ TEST(GiveBack, LeavesLockedVerticesAndCornersWhereTheyAre) {
     }
 }
 
-// No other vertex is farther away, by which the weights could be measured.
+// The only vertex is at the very place of the event, so the weights have no scale.
 TYPED_TEST(GiveBackTyped, MovesASingleVertexThatLiesAtTheVeryPlace) {
     using Real = TypeParam;
     auto complex = test::disc_complex<Real>(0.02);
@@ -142,8 +142,8 @@ TYPED_TEST(GiveBackTyped, MovesASingleVertexThatLiesAtTheVeryPlace) {
 
 // --- two ends of a short edge that merge ---------------------------------------------------------
 
-// v is (0.1, 0) and w the origin. Where v goes to w, the triangle of v, p and q becomes one of w,
-// p and q, which lie on a line but for `height`; q is inside the phase, p is not.
+// v is (0.1, 0) and w the origin. If v moves to w, the triangle (v, p, q) becomes (w, p, q), a
+// sliver of the given `height`; q is inside the phase, p is not.
 Complex<double> with_sliver() {
     constexpr double height = 0.1;
     const std::vector<Point<double>> points{{0.1, 0}, {0, 0},    {0.5, 0.5 + height}, {1, 1},
@@ -164,8 +164,8 @@ TEST(Merging, LeavesEverythingInPlaceWhereAVertexIsLocked) {
     EXPECT_EQ(validate(complex).problem, "");
 }
 
-// The curves from v to p and to f sweep a triangle each, of 0.1 along the abscissa and the height
-// of their other end.
+// The curves from v to p and from v to f each sweep a triangle, with the base 0.1 on the x axis and
+// the other end as apex.
 TEST(Merging, NotesTheAreaThatCurvesSweep) {
     auto complex = with_sliver();
     constexpr std::array<Phase, 9> phases{1, 2, 3, 3, 1, 3, 3, 4, 1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and none keeps
-// more sectors than are stable.
+// A network of grains coarsens to a tenth by curvature flow: no vertex is stuck, and all junctions
+// become stable.
 #include "support/random/scene.h"
 #include "support/topology/changing.h"
 #include "support/topology/topology_testing.h"

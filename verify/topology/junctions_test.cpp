@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Junctions inside and at the sides of the domain: four sectors that split, ends of curves
-// that meet on the domain boundary, junctions that reach it, and corners; and to whom small pieces
-// go.
+// Junctions inside and at the sides of the domain: four sectors that split, ends of curves that
+// meet on the domain boundary, junctions that reach it, and corners; and the phases that get small
+// pieces.
 
 #include "support/topology/topology_testing.h"
 
@@ -80,8 +80,7 @@ Complex<double> from_corner(double slope) {
                 [&](const P& p) { return p.y() > slope * p.x() ? 1U : 2U; });
 }
 
-// --- ends that meet on the domain boundary, and junctions that reach it
-// ------------------------------------
+// --- ends that meet on the domain boundary, and junctions that reach it --------------------------
 
 TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
     struct Row {
@@ -106,7 +105,7 @@ TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
         const auto events = change(complex);
         ASSERT_EQ(events.size(), 1U);
         EXPECT_EQ(events[0].kind, EventKind::t1);
-        // Either side would gain the same: the smaller phase gives way.
+        // Both choices have the same energy: the phase with the smaller number loses the edge.
         EXPECT_EQ(events[0].lost, row.taken.contains(2) ? 1U : 2U);
         EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), row.taken);
         EXPECT_GT(events[0].area, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is no film, at a contact distance of several edge lengths: round ends, tips, shapes wider
-// than that, sheets that move apart.
+// Regions that must not count as films, at a contact distance of several edge lengths: round ends,
+// tips, wider shapes, and sheets that move apart.
 #include "support/topology/growing_discs.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace test::growing_discs;
 
-// Everything comes closer to the middle, or goes away from it.
+// Moves everything towards the centre, or away from it.
 Velocity<double> scale(double rate) {
     return test::pointwise([rate](const Point<double>& p) {
         return Point<double>(rate * (p - Point<double>(0.5, 0.5)));
@@ -32,7 +32,7 @@ void expect_nothing(const std::vector<Shape>& shapes, double contact,
     }
 }
 
-// Also one that has become smaller than the contact distance.
+// Even a disc smaller than the contact distance is no film.
 TEST(NoFilm, ADisc) {
     const std::vector<Shape> disc{{test::circle_points({0.5, 0.5}, 0.12, 40), 1}};
     expect_nothing(disc, 4 * h, scale(-1), 0.05, 20);
@@ -59,7 +59,7 @@ TEST(NoFilm, AStarWithSharpTips) {
     }
 }
 
-// Tips so long that their sheets are far from each other along the outline.
+// Tips so long that their two sheets are far from each other along the outline.
 TEST(NoFilm, ALongThinTip) {
     const std::vector<Shape> shapes{{{{0.05, 0.4}, {0.95, 0.5}, {0.05, 0.6}}, 1}};
     expect_nothing(shapes, 1.5 * h, scale(-1), 0.05, 10);
@@ -72,7 +72,7 @@ TEST(NoFilm, SheetsThatMoveApart) {
     test::ChangingSimulation<double> simulation(complex, wide(4 * h, h));
     EXPECT_TRUE(run_on(complex, simulation, grow(2 * h, -1), step_dt, 8).empty());
     EXPECT_EQ(pieces(complex, 1), 2);
-    // If thinness is enough, they merge at once and once.
+    // If films open without being squeezed, the discs merge at once, in a single event.
     auto another = discs_apart(2 * h, h);
     test::ChangingOptions<double> thin = wide(4 * h, h);
     thin.topology.opening = Opening::thin;
@@ -83,7 +83,7 @@ TEST(NoFilm, SheetsThatMoveApart) {
     EXPECT_EQ(pieces(another, 1), 1);
 }
 
-// The neck that a film leaves is as thin as the film was, and does not close again.
+// The neck that an opened film leaves is as thin as the film was, and must not close again.
 TEST(NoFilm, ANeckThatAFilmHasLeft) {
     constexpr double gap = 3.7 * h;
     auto complex = discs_apart(gap, h);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// At which area pieces of a phase vanish, whatever their shape and the number of their vertices.
+// The area at which pieces of a phase vanish, for any shape and number of vertices.
 #include "support/topology/growing_discs.h"
 
 #include "topology/notes.h"
@@ -14,13 +14,13 @@ using namespace test::growing_discs;
 
 using P = Point<double>;
 
-// Towards the place, by the same factor everywhere.
+// Shrinks everything towards the point by one factor.
 Velocity<double> shrink_to(P place) {
     return test::pointwise([place](const P& p) { return P(place - p); });
 }
 
-// Phase 1 shrinks, by two percent of its area in a step, until it vanishes: that is at the area
-// asked for, but for a few steps.
+// Phase 1 shrinks by two per cent of its area in each step; it must vanish at the given area, up to
+// a few steps.
 void expect_vanishes_below(double min_area, Complex<double> complex, P place, double length) {
     test::ChangingOptions<double> shrinking;
     shrinking.edge_length = length;
@@ -42,7 +42,7 @@ void expect_vanishes_below(double min_area, Complex<double> complex, P place, do
     ADD_FAILURE() << "it does not vanish";
 }
 
-// A disc inside, the half of one on the domain boundary, and a quarter in a corner of the domain.
+// A whole disc inside, half a disc on the domain boundary, and a quarter in a corner of the domain.
 TEST(Remnants, VanishBelowTheLeastAreaWhateverTheirShape) {
     for (const double length : {0.04, 0.02}) {
         for (const double squares : {0.0, 1.0, 5.0, 20.0, 50.0}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the application has asked for: rules for all phases or for a pair, its own word on each
-// event, and what is told of them.
+// The application's choices: rules for all phases or for a pair, its own decision on each event,
+// and the reports of events.
 #include "support/topology/growing_discs.h"
 
 #include "dsc/base/error.h"
@@ -77,7 +77,8 @@ TEST(Topology, EachPairOfPhasesHasItsOwnRule) {
     EXPECT_TRUE(run(kept, keeping).events.empty());
 }
 
-// Films open by triangles, and at a contact distance of several edges by rays across them.
+// Films are found by their triangles, or, at a contact distance of several edges, by rays across
+// them.
 TEST(Topology, TheApplicationMaySayNo) {
     for (const double contact : {0.0, 2 * h}) {
         test::ChangingOptions<double> asked = options();
@@ -114,8 +115,8 @@ TEST(Topology, WhatTheApplicationThrowsComesOut) {
     EXPECT_EQ(count(run(complex, simulation).events, EventKind::merge), 1U) << "it goes on";
 }
 
-// Another complex takes the place of the first one in mid-run, without notes of its own: with two
-// submeshes, these must not be made by both of them.
+// The complex is replaced during the run by another one without the stage's attributes, which only
+// one of the submeshes must create.
 TEST(Topology, GoesOnWhereTheComplexIsReplaced) {
     for (const std::uint32_t submeshes : {1U, 6U}) {
         auto complex = discs_nearby();
@@ -131,7 +132,7 @@ TEST(Topology, GoesOnWhereTheComplexIsReplaced) {
     }
 }
 
-// A stage that has served one simulation looks at the complex of the next one afresh.
+// A stage that was used in one simulation examines the complex of the next one anew.
 TEST(Topology, AStageServesOneSimulationAfterAnother) {
     auto complex = discs_nearby();
     const auto stage = std::make_shared<TopologyStage<double>>(

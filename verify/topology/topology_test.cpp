@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Phases that meet, merge and part: what happens, where and when, is the same in every division of
-// the mesh and for any number of threads, and each event is told once.
+// Phases that meet, merge and split: events, places and times are the same in every division of the
+// mesh and for any number of threads, and each event is reported once.
 
 #include "support/topology/growing_discs.h"
 #include "support/ways.h"
@@ -45,7 +45,8 @@ TEST_P(EveryWay, TwoDiscsMergeOnce) {
         EXPECT_EQ(count(grown.events, EventKind::remove), 0U);
         const Event& merge = grown.events.front();
         EXPECT_EQ(merge.kind, EventKind::merge);
-        // They touch at 0.025; half the contact distance over the speed, and a step.
+        // The discs touch at the time 0.025; the film opens earlier, by half the contact distance
+        // over the speed, up to a step.
         EXPECT_NEAR(merge.time, 0.025, default_contact * h / 2 + 0.3 * h);
         EXPECT_NEAR(merge.x, 0.5, h);
         EXPECT_EQ(merge.lost, exterior_phase);
@@ -74,8 +75,8 @@ TEST_P(EveryWay, WhatTheTopologyDoesIsCounted) {
     EXPECT_EQ(counts.relabelled, static_cast<std::uint64_t>(relabelled));
 }
 
-// The first disc has to go where the second one is, and cannot. Then the second one is taken away,
-// as by a change of topology at the end of a sub-step: all of the first one arrive after all.
+// The second disc blocks the first. Then the second one is removed, as by a change of topology at
+// the end of a sub-step: now all vertices of the first one must arrive.
 void expect_arrival_once_free(Complex<double>& complex, Executor<double>& executor) {
     const auto to_the_right = test::pointwise(
         [](const Point<double>& p) { return Point<double>(p.x() < 0.5 ? 1 : 0, 0); });
@@ -98,7 +99,7 @@ void expect_arrival_once_free(Complex<double>& complex, Executor<double>& execut
     EXPECT_NEAR(phase_area(complex, 1), area_before, 1e-12);
 }
 
-// In one stage, so that the velocity is that of where a vertex starts.
+// With one stage, the velocity is the one at the position where a vertex starts.
 test::ChangingOptions<double> options_of_one_stage() {
     test::ChangingOptions<double> result = options();
     result.integrator = Integrator::euler;
@@ -123,7 +124,8 @@ TEST_P(EveryWay, WhatIsSetFreeStillArrives) {
 INSTANTIATE_TEST_SUITE_P(Topology, EveryWay, testing::ValuesIn(all_divisions),
                          [](const auto& one) { return test::name_of(one.param); });
 
-// Two squares, joined by a neck with five waists, of which the sheets come closer all along.
+// Two squares, joined by a neck with five waists, whose sheets approach each other along its whole
+// length.
 Complex<double> squares_with_a_neck() {
     std::vector<Point<double>> upper;
     for (double x = 0.62; x > 0.379; x -= h) {
@@ -145,8 +147,8 @@ Velocity<double> squeeze() {
     });
 }
 
-// The neck opens at its waists, in one and the same sub-step: one event, not five. What is between
-// two of them is thin all along, and the seam goes on over it.
+// The neck opens at all its waists in the same sub-step, which is one event, not five: the parts
+// between the waists are thin as well, so the seam extends over them.
 TEST_P(EveryWay, ANeckThatClosesInManyPlacesSplitsOnce) {
     for (const std::uint32_t threads : {1U, 3U}) {
         auto complex = squares_with_a_neck();
@@ -183,12 +185,12 @@ TEST(Topology, TwoPhasesMeetWithoutMixing) {
             EXPECT_TRUE(one == 1 && other == 2);
             EXPECT_EQ(count(grown.events, EventKind::widen) + 1, grown.events.size());
         }
-        const double tolerated = contact > 0 ? 0.03 : 0.02; // a whole film on one side
+        const double tolerated = contact > 0 ? 0.03 : 0.02; // one phase may get a whole film
         EXPECT_NEAR(phase_area(complex, 1) / phase_area(complex, 2), 1, tolerated);
     }
 }
 
-// The two triangles of the bridge go to the two sides, one each.
+// Each of the two phases gets one of the bridge's two triangles.
 TEST(Topology, AFilmThatOpensIsShared) {
     auto complex = discs_nearby(2);
     test::ChangingSimulation<double> simulation(complex, options());
@@ -208,7 +210,7 @@ TEST(Topology, AFilmThatOpensIsShared) {
     EXPECT_EQ(relabelled[1].made[1], events.front().taken[1]);
 }
 
-// In a flow that keeps areas what becomes thin is a filament, and is not cut.
+// A flow that keeps areas makes a filament thin without squeezing it, so the filament is not cut.
 TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
     const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.12, 50), 1}};
     const auto strain = test::pointwise(
@@ -225,8 +227,8 @@ TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
     }
 }
 
-// All vertices of a small disc are sent to their mirror images, which they cannot reach. As the
-// disc vanishes in the same sub-step, none of them is left behind.
+// All vertices of a small disc have their mirror images as targets, which they cannot reach. As the
+// disc vanishes in the same sub-step, none of them counts as unreached.
 TEST(Topology, WhatVanishesIsNotLeftBehind) {
     for (const Topology rule : {Topology::keep, Topology::change}) {
         const Point<double> centre(0.5, 0.5);

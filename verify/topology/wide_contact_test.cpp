@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Films that open at a contact distance of several edge lengths: each as one event, at the time
-// when it is that thin, without holes.
+// Films that open at a contact distance of several edge lengths: each in one event, when it is as
+// thin as that, and without holes.
 #include "support/refusal.h"
 #include "support/small_meshes.h"
 #include "support/topology/growing_discs.h"
@@ -41,8 +41,8 @@ TEST(WideContactOf, DiscsLeaveNoHole) {
     }
 }
 
-// Where the film of two discs is as thick as the contact distance, the seam ends, and the interface
-// crosses the film nearly straight.
+// The seam of two discs ends where their film is as thick as the contact distance, and the
+// interface crosses the film there almost straight.
 TEST(WideContactOf, TheSeamEndsWhereTheFilmIsThicker) {
     constexpr double gap = 0.12;
     constexpr double contact = 4 * h;
@@ -80,7 +80,7 @@ TEST(WideContactOf, TheSeamEndsWhereTheFilmIsThicker) {
     }
 }
 
-// The physical contact distance stays, and the edges become shorter.
+// The contact distance is a fixed length, while the edges become shorter.
 TEST(WideContactConvergence, OfAFixedLength) {
     constexpr double contact = 0.02;
     constexpr double gap = 0.06;
@@ -109,13 +109,13 @@ TEST(WideContactOf, EachPairIsItsOwn) {
     const std::vector<Event> events = run_on(complex, simulation, grow(gap), step_dt, 6);
     EXPECT_EQ(count(events, EventKind::merge), 1U);
 
-    // A film opens at the smaller distance of its two sheets.
+    // If the two sheets have different contact distances, the smaller one counts.
     auto different = discs_apart(gap, h, 2);
     test::ChangingSimulation<double> other(different, options);
     EXPECT_TRUE(run_on(different, other, grow(gap), step_dt, 8).empty());
 }
 
-// A slot closes from end to end: the block does not fall apart, and neither does the exterior.
+// A slot closes along its whole length, without splitting the block or the exterior.
 TEST(WideContactOf, ASlotIsFilled) {
     const std::vector<Point<double>> outline{{0.2, 0.2},   {0.8, 0.2},   {0.8, 0.8},  {0.53, 0.8},
                                              {0.53, 0.35}, {0.47, 0.35}, {0.47, 0.8}, {0.2, 0.8}};
@@ -165,7 +165,7 @@ TEST(WideContactOf, MoreThanAPhaseIsRefused) {
     EXPECT_EQ(simulation.topology().options().contact, 0.1);
 }
 
-// A phase that has shrunk since is no mistake of the options.
+// A phase that has become thinner than the contact distance during the run is not refused.
 TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     auto complex = discs_apart(0.1, h);
     test::ChangingOptions<double> options = wide(0.1, h);
@@ -177,8 +177,9 @@ TEST(WideContactOf, AShrunkenPhaseIsNotRefused) {
     EXPECT_THROW(test::ChangingSimulation<double>(complex, options), InputError);
 }
 
-// Vertex 0 lies on the left of the line from vertex 1 to vertex 2, by less than the rounding of a
-// product; the middle between these two lies on its right, where the sign of the product says left.
+// Vertex 0 lies to the left of the line from vertex 1 to vertex 2, by less than the rounding error
+// of a product. The midpoint of vertices 1 and 2, rounded, lies to its right, although the rounded
+// product has the sign for left.
 TEST(WideContactOf, AFilmIsStraightenedOnlyToWhereNoTriangleIsTurnedOver) {
     const std::vector<Point<double>> points{{0x1.d244a038274dcp-2, 0x1.d30c0e5967d9bp-2},
                                             {0x1.2785a781dd289p-3, 0x1.2f23ee84f2e01p-3},

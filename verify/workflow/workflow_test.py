@@ -50,7 +50,7 @@ class Project(unittest.TestCase):
             xml.parse(self.path("build/gate", name))
 
     def test_2_it_is_compared_with_a_base_commit(self):
-        """Nothing is said about the times of so few runs."""
+        """With so few runs, no verdict about times is given."""
         done = self.gate("HEAD", "--pairs", "5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertRegex(done.stdout, r"program/whole run, CPU +.* UNDECIDED")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every scene of the catalogue, described as a scene file, is that scene.
+// Every scene of the catalogue, written as a scene file by `describe`, gives the same scene.
 #include "scenes/file/describe.h"
 
 #include "scenes/file/scene_file.h"

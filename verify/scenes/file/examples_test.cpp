@@ -79,16 +79,16 @@ INSTANTIATE_TEST_SUITE_P(Examples, Example, testing::ValuesIn(names_of_examples(
 TEST(Examples, AreWhatTheyShow) {
     const SceneFile bubbles = read_scene_file(example("double-bubble"));
     const RunResult result = run_scene(bubbles.scene, bubbles.scene.defaults, {});
-    // Films that meet at 120 degrees, and areas that are kept.
+    // The films meet at 120 degrees, and areas are kept.
     EXPECT_EQ(result.junctions.count, 2U);
     EXPECT_LT(result.junctions.worst_deviation_deg, 2);
     EXPECT_NEAR(result.area_ratio, 1, 1e-6);
-    // The tip of the heart is lost, the rest comes back.
+    // The heart loses its tip; the rest comes back.
     const SceneFile heart = read_scene_file(example("heart"));
     const double ratio = run_scene(heart.scene, heart.scene.defaults, {}).area_ratio;
     EXPECT_LT(ratio, 0.9995);
     EXPECT_GT(ratio, 0.99);
-    // The vortex is exact where it returns.
+    // The exact shape of the vortex is known at the end, when the flow has returned.
     const SceneFile vortex = read_scene_file(example("my-vortex"));
     EXPECT_LT(number(run_scene(vortex.scene, vortex.scene.defaults, {}).last, "sd_rel"), 0.005);
 }

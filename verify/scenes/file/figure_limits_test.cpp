@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the figures of a scene file have to keep to.
+// Limits of figures in a scene file.
 #include "scenes/file/figure_limits.h"
 
 #include "dsc/base/error.h"

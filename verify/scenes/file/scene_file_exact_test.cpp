@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact shape that a scene file names, and what is measured against it.
+// The exact shape given in a scene file, and the errors measured against it.
 #include "scenes/catalogue/catalogue.h"
 #include "scenes/file/scene_file.h"
 #include "scenes/run/run.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene file means, and what is said of one that means nothing.
+// The meaning of scene files, and the errors of invalid ones.
 #include "scenes/file/scene_file.h"
 
 #include "dsc/base/error.h"
@@ -112,7 +112,7 @@ TEST(SceneFile, TellsWhatIsTooFineForTheMesh) {
     EXPECT_TRUE(told[1].starts_with("1 shape was left out as too small, ")) << told[1];
     EXPECT_TRUE(told[2].starts_with("1 outline was cut off ")) << told[2];
     EXPECT_THROW((void)run_text(options + "detail = 'keep'\n" + shapes), InputError);
-    // Side by side, or with a gap between them.
+    // Two halves with a gap stay separate, unless the tolerance for shared borders closes the gap.
     const std::string halves = "[[shape]]\nrectangle = { low = [0.2, 0.2], high = [0.5, 0.8] }\n"
                                "[[shape]]\nrectangle = { low = [0.505, 0.2], high = [0.8, 0.8] }\n";
     EXPECT_EQ(run_text(options + halves).phases.phases.back().components, 2U);
@@ -137,7 +137,7 @@ TEST(SceneFile, ShapesOfSeveralPhasesRun) {
     EXPECT_NEAR(result.phases.phases[1].area, 0.24, 1e-9);
 }
 
-// A ring, by two sources or by two pieces of one, in which a disc is clipped.
+// A ring-shaped domain, from two outlines or from one with two pieces, which clips a disc.
 TEST(SceneFile, ADomainOfAnyShapeIsReadLikeAShape) {
     const std::string shape = "[[shape]]\ncircle = { centre = [0.9, 0.5], radius = 0.3 }\n";
     const std::string ring = "[[domain.outline]]\ncircle = { centre = [0.5, 0.5], radius = 0.5 }\n"
@@ -340,7 +340,7 @@ TEST_F(FilesBeside, LabelImagesOfEveryKind) {
             EXPECT_NEAR(phase.area, 2, 1e-5) << name;
         }
     }
-    // The grain of phase 3 has two pixels.
+    // The grain of phase 3 has only two pixels, so it is dropped.
     write("b.toml", options + "[domain]\nhigh = [2, 3]\n[shape]\nlabels = 'text'\n"
                               "min_pixels = 3\n");
     const SceneFile file = read_scene_file(folder_ / "b.toml");

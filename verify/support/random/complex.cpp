@@ -37,7 +37,7 @@ using Triple = std::array<Index, 3>;
 
 template <class Real>
 std::vector<Point<Real>> random_points(Random& random, const RandomComplexOptions& options) {
-    std::set<std::pair<Real, Real>> places; // distinct, and sorted for the sweep
+    std::set<std::pair<Real, Real>> places; // distinct points, sorted for the sweep
     const Real offset = options.at_resolution && options.grid > 0
                             ? 1 / std::numeric_limits<Real>::epsilon()
                             : Real(0);
@@ -113,7 +113,8 @@ Complex<Real> build(const std::vector<Point<Real>>& points, const std::vector<Tr
     return make_complex<Real>(points, triangles, phases);
 }
 
-// Removes triangles if the rest stays a manifold: dents, holes, separate pieces.
+// Removes triangles as long as the rest is a manifold, which makes dents, holes and separate
+// pieces.
 template <class Real>
 std::vector<Triple> punch_holes(Random& random, const std::vector<Point<Real>>& points,
                                 std::vector<Triple> triangles, double share) {
@@ -125,7 +126,7 @@ std::vector<Triple> punch_holes(Random& random, const std::vector<Point<Real>>& 
             build(points, fewer);
             triangles = std::move(fewer);
         } catch (const InputError&) {
-            // A vertex would have two fans: this triangle stays.
+            // The triangle stays, because a vertex would have two fans.
         }
     }
     return triangles;
@@ -204,7 +205,7 @@ Complex<Real> random_complex(std::uint64_t seed, const RandomComplexOptions& opt
         triangles = triangulate(points);
     }
     triangles = punch_holes(random, points, std::move(triangles), options.holes);
-    // Ids in the order of the sweep would make "smallest id" the same as "leftmost".
+    // Ids are shuffled, because in the order of the sweep "smallest id" would mean "leftmost".
     std::vector<Index> name(points.size());
     for (Index i = 0; i < name.size(); ++i) {
         name[i] = i;

@@ -17,7 +17,7 @@ namespace dsc::test {
 inline PhaseThresholds draw_phase(Dice& dice) {
     PhaseThresholds thresholds;
     thresholds.shortest = dice.in(0.0, 0.6);
-    // Shorter ones only make the mesh large.
+    // A smaller value would only make the mesh larger.
     thresholds.longest = std::max(0.8, 2.05 * thresholds.shortest) + dice.in(0.0, 1.5);
     thresholds.crowded = dice.in(0.0, 2.0);
     thresholds.collapse_quality = dice.in(0.0, 0.6);

@@ -54,7 +54,7 @@ private:
         }
         const std::uint64_t two = loaded_[0] | static_cast<std::uint64_t>(loaded_[1]) << 8U;
         loaded_ = loaded_.subspan(2);
-        return two * 0x0001000100010001U; // any of its bits are used
+        return two * 0x0001000100010001U; // all bits of the seed are used
     }
 
     std::span<const std::uint8_t> loaded_;
@@ -211,8 +211,8 @@ private:
         double potential; ///< its share of the wave
     };
 
-    // Scalars: without optimisation, under the sanitizers, vectors of Eigen take longer here than
-    // the whole library.
+    // Scalars are used, because under the sanitizers, without optimisation, Eigen's vectors would
+    // take longer here than the whole library.
     [[nodiscard]] Point<double> at(const Point<double>& p, double time) const {
         const double p_x = p.x();
         const double p_y = p.y();
@@ -251,7 +251,7 @@ private:
     std::vector<Wave> waves_;
 };
 
-/// By id: 1 for the vertices of an interface edge, as derived from the phases.
+/// For each vertex id: 1 if the vertex belongs to an interface edge, as derived from the phases.
 template <class Real>
 std::vector<std::uint8_t> on_interface(const Complex<Real>& complex) {
     std::vector<std::uint8_t> on(complex.vertex_bound(), 0);

@@ -20,8 +20,8 @@ namespace dsc::test {
 
 using scenes::Outline;
 
-/// A polygon grown by one distance and then shrunk by another: arcs where corners have opened,
-/// otherwise the intersections of the sides' offsets. Correct as long as no side vanishes.
+/// A polygon grown by one distance and then shrunk by another: with arcs at opened corners, and
+/// elsewhere the intersections of the offset sides. Correct as long as no side vanishes.
 inline Outline offset_polygon(const Outline& corners, double growth, double shrinkage = 0) {
     constexpr int chords = 2000;
     Outline offset;
@@ -33,8 +33,8 @@ inline Outline offset_polygon(const Outline& corners, double growth, double shri
         const Point<double> after(out.y(), -out.x());
         const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
         const Point<double> meeting = (before + after) / (1 + before.dot(after));
-        // A tip has an arc about it while the shape is larger than at first; a notch has an arc
-        // about the point from which it receded.
+        // A tip becomes an arc about itself while the shape is larger than at first; a notch
+        // becomes an arc about its position after growth.
         const bool is_tip = turn > 0;
         const Point<double> centre = is_tip ? corners[i] : corners[i] + growth * meeting;
         const double radius = is_tip ? growth - shrinkage : -shrinkage;

@@ -99,7 +99,7 @@ inline std::vector<Event> change(Complex<double>& complex,
 
 /// The phases about a vertex.
 struct Meeting {
-    std::vector<Phase> phases; ///< counter-clockwise; on the domain boundary from side to side
+    std::vector<Phase> phases; ///< counter-clockwise; on the domain boundary from edge to edge
     bool is_on_boundary = false;
 };
 

@@ -44,7 +44,7 @@ ctest --test-dir build/new --output-on-failure --output-junit "$here/build/gate/
 "$verify" run ./scenes/*.toml ./gate.toml --jobs "$(nproc)" --out build/gate || failed+=("limits")
 
 if [[ -n $base ]]; then
-    inside=$(git rev-parse --show-prefix) # of a larger repository, if the project is a part of one
+    inside=$(git rev-parse --show-prefix) # if the project is a part of a larger repository
     rm -rf build/base
     git worktree prune
     git worktree add --force --detach build/base "$base"
@@ -52,7 +52,7 @@ if [[ -n $base ]]; then
     code=0
     python3 "$prefix/share/dsc/compare/compare.py" --bare --base build/of_base/droplet \
         --new build/new/droplet --out build/gate "${@:3}" || code=$?
-    if [[ $code -ne 0 && $code -ne 3 ]]; then # 3: this machine is too noisy to say
+    if [[ $code -ne 0 && $code -ne 3 ]]; then # 3: the machine is too noisy for a verdict
         failed+=("speed")
     fi
     git worktree remove --force build/base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A droplet is carried through a shear that turns around: what the project computes.
+// The project's computation: a droplet is advected by a shear flow that reverses.
 #include <dsc/dsc.h>
 
 #include <cmath>
