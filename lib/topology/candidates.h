@@ -16,21 +16,22 @@ namespace dsc {
 /// A vertex of the interface, and whether the topology may have to change there.
 struct Candidate {
     std::uint32_t vertex; ///< its id
-    bool is_thin;         ///< a triangle of its star is, or may be
-    bool is_facing;       ///< one is, and the edge opposite to the vertex may be of the interface
+    bool is_thin;         ///< a triangle of its star is thin, or may be
+    bool is_facing;       ///< one is thin, and its opposite edge may be on the interface
     /// The interface turns sharply or tightly there, has a junction, or is beside the domain
     /// boundary.
     bool is_sharp;
-    bool is_junction; ///< it turns sharply or has a junction, and not just between two edges inside
+    bool is_junction; ///< a sharp turn or a junction, other than a turn of two edges inside
 };
 
-/// The ranges of places that threads share.
+/// The number of ranges into which a list is divided for the threads.
 inline constexpr std::size_t ranges_of_places = 16;
 
-/// Calls `look(range, begin, end)` for each range of `count` places, by the threads of the step.
+/// Divides `count` entries into ranges and calls `look(range, begin, end)` for each, by the threads
+/// of the step.
 template <class Look>
 void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& look) {
-    constexpr std::size_t few = 64; // they are done before another thread has begun
+    constexpr std::size_t few = 64; // done before another thread has begun
     const auto look_in = [&](std::size_t range) {
         look(range, count * range / ranges_of_places, count * (range + 1) / ranges_of_places);
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of topology, between two sub-steps: films open, seams continue, small pieces vanish. The
-// edits are noted in the journal of the complex, where the drivers read them like an application's.
+// edits are logged in the journal of the complex, from which the drivers read them like an
+// application's.
 #pragma once
 
 #include "topology/candidates.h"
@@ -14,9 +15,10 @@ namespace dsc {
 /// Changes the topology around the candidates, as far as the options allow, and appends what
 /// happened to `work.events`. Candidates may be dead, inside a phase, or listed twice by now; they
 /// are reordered, and the result does not depend on their order. Returns how much of the area that
-/// phases lost was given back, if the options ask for that, and zeros otherwise. O(their degrees),
-/// plus the length of the outline for each film that opens. The threads of the step share the
-/// search for films and small pieces; all edits are serial, in the order of their places.
+/// phases lost was given back, if the options ask for that, and zeros otherwise. O(degrees of the
+/// candidates), plus the length of the outline for each film that opens. The threads of the step
+/// share the search for films and small pieces; all edits are serial, in the order of their
+/// positions.
 template <class Real>
 AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates);
 

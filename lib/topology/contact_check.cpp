@@ -44,7 +44,7 @@ void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& op
                             ", the diameter of a disc of that phase's area"});
         }
     };
-    // For each phase, the number of other phases with which it has a rule of its own.
+    // For each phase, the number of other phases with which it has a pair rule.
     std::map<Phase, std::size_t> own_rules;
     for (const PairTopology<Real>& pair : options.pairs) {
         if (!areas.contains(pair.one) || !areas.contains(pair.other)) {

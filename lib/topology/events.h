@@ -12,15 +12,15 @@
 
 namespace dsc {
 
-/// What happened.
+/// The kind of a change.
 enum class EventKind : std::uint8_t {
     merge, ///< a film opened: two pieces of the phase beyond it became one
     split, ///< a neck closed: the phase fell into two pieces there
-    /// A film opened between two different phases, or a phase and the domain boundary (then
-    /// `Event::taken` is the same twice), which border on each other now.
+    /// A film opened between two different phases, or between a phase and the domain boundary
+    /// (`Event::taken` then has the same phase twice); they now border on each other.
     meet,
     widen,  ///< the film of an earlier event opened farther: along its seam, or elsewhere
-    t1,     ///< an unstable junction split: some phases met, others parted
+    t1,     ///< an unstable junction split: some phases met, others separated
     fill,   ///< a small piece of the exterior vanished
     remove, ///< a small piece of another phase vanished (the T2 of foams and grains)
 };
@@ -40,7 +40,7 @@ inline constexpr std::array event_names{
 struct Event {
     EventKind kind = EventKind::merge; ///< what happened
     double time = 0;                   ///< at the end of the sub-step
-    double x = 0;                      ///< where, in units of the domain
+    double x = 0;                      ///< position, in units of the domain
     double y = 0;
     Phase lost = exterior_phase; ///< the phase whose area it was
     /// The phases that took the area; the same twice unless different ones took it.

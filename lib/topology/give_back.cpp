@@ -24,7 +24,7 @@ constexpr double same_place = 4;
 constexpr double farthest_move = 0.1;
 /// Fewer vertices would make a bump.
 constexpr std::size_t fewest_vertices = 6;
-/// The search for an interface of the two phases ends after this many vertices.
+/// The search for an interface between the two phases ends after this many vertices.
 constexpr std::size_t max_searched = 4096;
 /// Rounds in which the pressure is computed: each leaves a small part of the remaining area, until
 /// that is rounding.
@@ -34,13 +34,13 @@ constexpr int max_pressures = 30;
 struct Debt {
     Point<double> place;
     Triangle near; ///< where the search begins
-    double area;   ///< owed to the first phase of the pair; negative: to the second
+    double area;   ///< area owed to the first phase of the pair; negative: to the second
 };
 
 /// An interface vertex with two interface edges, both between the two phases.
 struct Bend {
     std::uint32_t vertex;
-    std::uint32_t before; ///< along the curve, with the phase that is to gain on the left
+    std::uint32_t before; ///< neighbours along the curve, with the phase that must gain on the left
     std::uint32_t after;
     Point<double> first; ///< its position at the start
     double weight = 1;   ///< of its movement
@@ -126,7 +126,7 @@ private:
             std::vector<std::uint32_t> next_layer;
             for (const std::uint32_t v : layer) {
                 if (add_bend(Vertex{v}, gains, loses)) {
-                    // A third of it: the weights fall towards the ends.
+                    // One third of the largest sweep, because the weights fall towards the ends.
                     room += farthest_ * gradient(bends_.back()).norm() / 3;
                 }
                 for_each_corner(complex_, Vertex{v}, [&](Corner c) {

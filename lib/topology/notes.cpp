@@ -67,12 +67,13 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
     if (incident.count == 0) {
         return 0;
     }
-    // All vertices of an owned star are listed here: nobody else writes their notes. Any other star
-    // is assumed to face a sheet. Vertices on the domain boundary count as noted.
+    // The vertices of an owned star are all listed in this work, so no other thread writes their
+    // notes. A star that is not owned is assumed to face a sheet. Vertices on the domain boundary
+    // count as noted.
     const bool may_face = !star.owned || may_face_a_sheet(notes, round, star);
     const bool is_beside_boundary = star.owned && may_face && faces_boundary(complex, star);
-    // Whether a star that faces no sheet is thin matters only after something else has changed, and
-    // is tested then.
+    // Thinness of a star that faces no sheet matters only after something else has changed, and is
+    // tested then.
     const bool is_thin = !may_face || has_thin_triangle(star, what.contact * what.contact);
     const bool is_sharp =
         incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(star, incident)));
@@ -86,7 +87,7 @@ std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>&
            (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
 
-// Notes that the vertex is of the interface, and its place.
+// Notes that the vertex is on the interface, and its position.
 template <class Real>
 Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t round,
                   const Notebook<Real>& book) {
@@ -115,7 +116,8 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
     Complex<Real>& complex = work.complex;
     const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
     VertexAttribute<Note>& notes = *book.notes;
-    // All vertices are noted first: the stars of their neighbours are compared with these notes.
+    // All vertices are noted before any star, because stars are examined by the notes of
+    // neighbours.
     std::vector<std::uint32_t>& left = work.interface_next; // scratch of the remeshing
     left.clear();
     bool has_first = false;
@@ -132,7 +134,8 @@ void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t ro
         }
         has_first = has_first || (notes[Vertex{v}].what & noted_first) != 0;
     }
-    // Stars that were noted before a vertex without earlier notes may face it.
+    // A star noted earlier may face a vertex that had no note at that time, so it is examined
+    // again.
     for (const std::uint32_t v : has_first ? work.interface : left) {
         if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.star)) {
             note_star(work, work.star, interface_edges_of(work.star), what, round, book);

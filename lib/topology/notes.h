@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What changes of topology need to know of each interface vertex before anything moves: its
-// position and properties of its star. A pass at the end of the remeshing notes it in an attribute,
-// in all submeshes at the same time; the change of topology reads it after the sub-step.
+// Notes: what changes of topology need to know of each interface vertex before anything moves, its
+// position and properties of its star. A pass at the end of remeshing writes the notes to an
+// attribute, in all submeshes at the same time; the change of topology reads them after the
+// sub-step.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -31,13 +32,13 @@ enum Notable : std::uint32_t {
     noted_for_ever = noted_seam | noted_boundary, ///< kept from round to round
 };
 
-/// The note of a vertex. Small, because those of a whole link are read for each star.
+/// The note of a vertex. The notes are small, because those of a whole link are read for each star.
 struct Note {
     std::uint32_t round = 0; ///< of the sub-step; 0: none yet
     std::uint32_t what = 0;  ///< bits of `Notable`
 };
 
-/// The bytes of a note.
+/// Archives a note.
 inline void archive(Archive& archive, Note& note) { archive(note.round, note.what); }
 
 /// Where a vertex was. A type of its own, because attributes of points count as data of the
@@ -48,7 +49,7 @@ struct NotedPlace {
     Real y = 0; ///< in units of the domain
 };
 
-/// The bytes of a place.
+/// Archives a noted position.
 template <class Real>
 void archive(Archive& archive, NotedPlace<Real>& place) {
     archive(place.x, place.y);
@@ -62,44 +63,43 @@ template <class Real>
 /// ones.
 template <class Real>
 [[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
-/// Where the vertices that were noted last were before the sub-step. As `notes_of`.
+/// The positions before the sub-step of the vertices noted last. As `notes_of`.
 template <class Real>
 [[nodiscard]] VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex);
-/// Forgets all notes, as of an earlier simulation, and notes which vertices are on the domain
-/// boundary. O(n).
+/// Clears all notes, such as those of an earlier simulation, and notes which vertices are on the
+/// domain boundary. O(n).
 template <class Real>
 void begin_notes(Complex<Real>& complex);
 
-/// What makes a star notable.
+/// The thresholds from which on the properties of a star are noted.
 template <class Real>
 struct Notability {
     Real contact = 0;   ///< the largest contact distance; 0: nothing is noted
-    Real curvature = 0; ///< from here on, the outline may be that of a small piece
+    Real curvature = 0; ///< curvature from which on the outline may be that of a small piece
 };
 
 /// Every closed curve around an area A has a curvature of sqrt(pi / A) or more somewhere. Half of
-/// that also covers curves that a corner of the domain completes, and unequal edges.
+/// that also covers curves that end on the sides of a corner of the domain, and unequal edges.
 template <class Real>
 [[nodiscard]] Real curvature_around(Real min_area) {
     return std::sqrt(std::numbers::pi_v<Real> / min_area) / 2;
 }
 
-/// Where the notes of a complex are written. Each entry has one writer, the work that lists the
-/// vertex.
+/// The arrays of notes of a complex. Each entry has one writer, the work that lists the vertex.
 template <class Real>
 struct Notebook {
     VertexAttribute<Note>* notes;              ///< of `notes_of`
     VertexAttribute<NotedPlace<Real>>* places; ///< of `places_of`
 };
 
-/// Notes the star of one interface vertex, which has just been gathered. O(degree).
+/// Writes the notes on the star of an interface vertex, which has just been gathered. O(degree).
 template <class Real>
 void note_star(const Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident,
                const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book);
 
-/// Notes the interface vertices of a work: a pass without edits. Leaves out those whose star has
-/// been noted in this round and has not changed since. O(interface vertices of the work), and the
-/// degrees of those that are noted here.
+/// Writes the notes of a work's interface vertices: a pass without edits. Skips stars that have
+/// been noted in this round and have not changed since. O(interface vertices of the work), plus the
+/// degrees of those noted here.
 template <class Real>
 void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round);
 
@@ -144,15 +144,15 @@ template <class Real>
     return round - note.round <= 1 || (note.what & noted_boundary) != 0;
 }
 
-/// Whether two successive vertices of the link are noted: only then can a triangle bridge a film
-/// once the vertices have moved. O(degree).
+/// Whether two successive vertices of the link are noted, that is, on the interface: only then can
+/// a triangle bridge a film once the vertices have moved. O(degree).
 template <class Real>
 [[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note>& notes, std::uint32_t round,
                                     const Star<Real>& star) {
     const auto is_noted = [&](std::uint32_t i) {
         return dsc::is_noted(notes[Vertex{star.link[i]}], round);
     };
-    // Of two successive ones, one has an odd index, unless they close an odd star.
+    // One of two successive vertices has an odd index, unless they close an odd star.
     const std::uint32_t n = star.link_size();
     for (std::uint32_t i = 1; i < n; i += 2) {
         if (is_noted(i) &&
@@ -174,13 +174,13 @@ template <class Real>
     return false;
 }
 
-/// The two edges of a curve at a vertex, as vectors along it.
+/// The two edges of a curve at a vertex, as vectors along the curve.
 template <class Real>
 struct Bend {
-    /// From one point through the next one to the last.
+    /// The bend at the second of three successive points.
     Bend(Real from_x, Real from_y, Real x, Real y, Real to_x, Real to_y)
         : in_x(x - from_x), in_y(y - from_y), out_x(to_x - x), out_y(to_y - y) {}
-    /// At the centre of a star.
+    /// The bend of the interface at the centre of a star.
     Bend(const Star<Real>& star, const IncidentEdges& incident)
         : Bend(star.link_x(incident.first), star.link_y(incident.first), star.x0, star.y0,
                star.link_x(incident.second), star.link_y(incident.second)) {}
@@ -202,8 +202,8 @@ template <class Real>
                                               (bend.out_x * bend.out_x + bend.out_y * bend.out_y));
 }
 
-/// Whether the circle through the ends of both edges has that curvature, or more. Both sides are
-/// squared, and without a unit: a product of three squares may underflow.
+/// Whether the circle through the ends of both edges has at least that curvature. Both sides are
+/// squared and dimensionless, because a product of three squared lengths may underflow.
 template <class Real>
 [[nodiscard]] bool turns_tightly(const Bend<Real>& bend, Real curvature) {
     const Real a_x = bend.in_x * curvature;

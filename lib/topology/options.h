@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether the topology of the phases may change, and where (thesis, section 13: merging of phases).
+// Options of topology changes: whether, where and how (thesis, section 13: merging of phases).
 #pragma once
 
 #include "dsc/base/names.h"
@@ -10,10 +10,10 @@
 
 namespace dsc {
 
-/// When a film that is thin enough opens.
+/// The condition under which a thin film opens.
 enum class Opening : std::uint8_t {
     squeezed, ///< while the flow takes area from it: its sheets approach each other
-    thin,     ///< in any case: filaments that are drawn out break as well
+    thin,     ///< always: filaments that are stretched break as well
 };
 
 inline constexpr std::array opening_names{
@@ -21,7 +21,7 @@ inline constexpr std::array opening_names{
     Named{Opening::thin, "thin"},
 };
 
-/// The treatment of a phase that becomes thin.
+/// What happens when a phase becomes thin.
 enum class Topology : std::uint8_t {
     keep,   ///< colliding interfaces block each other; the topology is kept
     change, ///< thin films open and necks close; small remnants vanish
@@ -36,8 +36,8 @@ inline constexpr std::array topology_names{
     return name_in(topology_names, topology);
 }
 
-/// A rule of its own for one pair of phases; the order of the two does not matter. A film of phase
-/// `one` between two pieces of phase `other`, and the reverse, follow this rule.
+/// A rule for one pair of phases; the order of the two does not matter. A film of phase `one`
+/// between two pieces of phase `other`, and the reverse, follow this rule.
 template <class Real>
 struct PairTopology {
     Phase one = exterior_phase;     ///< either phase of the pair
@@ -56,21 +56,21 @@ struct Contact {
     double thickness = 0; ///< of the film, a length
 };
 
-/// Which phases may meet, merge and part, and when.
+/// Which phases may meet, merge and split, and when.
 template <class Real>
 struct TopologyOptions {
-    Topology rule = Topology::keep; ///< of all pairs without a rule of their own
+    Topology rule = Topology::keep; ///< the rule of all pairs that `pairs` does not list
     /// The thickness, a length, at which a film opens or a neck closes. 0: 0.4 edge lengths. It may
-    /// be several edge lengths: the time of an event then converges, as the edges become shorter,
-    /// to that of this distance, and each sub-step searches across films from the whole interface.
-    /// Films along the domain boundary open as well, and the phase beyond wets the domain boundary;
-    /// `may_change` or the rule of the pair keeps them. A distance wider than a phase is refused
-    /// when a simulation begins (contact_check.h).
+    /// be several edge lengths: as edges become shorter, the time of an event then converges to the
+    /// time at which the film has this thickness; each sub-step searches across films from the
+    /// whole interface. Films along the domain boundary open as well, and the phase beyond wets the
+    /// domain boundary; `may_change` or the rule of the pair keeps them. A distance wider than a
+    /// phase is refused when a simulation begins (contact_check.h).
     Real contact = 0;
-    Opening opening = Opening::squeezed; ///< when a film that is thin enough opens
-    /// Whether an opened film goes on opening along its seam, where it is thicker. Set it to false
-    /// for flows in which the ends of a film retract by themselves, as under tension: a filament is
-    /// then cut where it is thinnest, and its stumps stay.
+    Opening opening = Opening::squeezed; ///< when a thin film opens
+    /// Whether an opened film continues to open along its seam. Set it to false for flows in which
+    /// the ends of a film retract by themselves, as under surface tension: a filament is then cut
+    /// at its thinnest point, and both parts stay.
     bool follows_seams = true;
     /// Pieces of a phase that are smaller than this area vanish. 0: one edge length squared.
     Real min_area = 0;
@@ -78,7 +78,7 @@ struct TopologyOptions {
     /// with the phase that took it moves, by a tenth of an edge length at most. See
     /// topology/give_back.h.
     bool gives_back_area = false;
-    std::vector<PairTopology<Real>> pairs = {}; ///< pairs with a rule of their own, each once
+    std::vector<PairTopology<Real>> pairs = {}; ///< rules of single pairs; each pair at most once
     /// Called before a film opens; false keeps the film. Runs on the thread that calls
     /// `Simulation::step`, between sub-steps; the step rethrows its exceptions, and the complex
     /// stays valid.
@@ -88,7 +88,7 @@ struct TopologyOptions {
     /// unstable junctions split. Empty: the same for all pairs.
     std::function<double(Phase one, Phase other)> energy = {};
 
-    /// Whether anything may change at all.
+    /// Whether any topology may change.
     [[nodiscard]] bool changes() const {
         for (const auto& pair : pairs) {
             if (pair.rule == Topology::change) {
@@ -100,14 +100,13 @@ struct TopologyOptions {
 };
 
 /// The default of `TopologyOptions::contact`, in edge lengths: below 0.15 a seam leaves holes; at
-/// 0.4 it leaves none, and the error of a union is of second order.
+/// 0.4 it leaves none, and the error of a merged area is of second order.
 inline constexpr double default_contact = 0.4;
-/// Up to this contact distance, in edge lengths, films are detected by single triangles that span
-/// them: it is the height of a triangle. Wider films are detected by rays across them
-/// (wide_films.h).
+/// Up to this contact distance, in edge lengths (the height of a triangle), films are detected by
+/// single triangles that span them. Wider films are detected by rays across them (wide_films.h).
 inline constexpr double max_contact_of_triangles = 0.75;
 
-/// Whether a contact distance, a length, is wider than triangles can show.
+/// Whether a contact distance (a length) is wider than single triangles span.
 template <class Real>
 [[nodiscard]] bool is_wide(Real contact, Real edge_length) {
     return contact > static_cast<Real>(max_contact_of_triangles) * edge_length;
@@ -119,7 +118,7 @@ struct TopologyRule {
     Topology rule; ///< keep or change
     Real contact;  ///< a length
 };
-/// The rule that holds for a pair of phases, in either order. O(pairs).
+/// The rule of a pair of phases, in either order. O(pairs).
 template <class Real>
 [[nodiscard]] TopologyRule<Real> rule_of(const TopologyOptions<Real>& options, Real edge_length,
                                          Phase one, Phase other);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The region of one phase as it is seen from its edges, for changes of the topology. Functions that
-// edit are serial and rare: they run between two sub-steps, on a few triangles, in the whole
-// complex. Functions that only read are called by several threads at the same time.
+// Walks along the outline of a phase, and the state of changes of topology. Functions that edit are
+// serial and rare: they run between two sub-steps, on a few triangles, in the whole complex.
+// Functions that only read are called by several threads at the same time.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -19,7 +19,7 @@
 
 namespace dsc {
 
-/// Area that one phase has lost to another.
+/// An area that one phase has lost to another.
 struct Transfer {
     Phase from;
     Phase to;
@@ -41,21 +41,21 @@ struct TopologyWork {
     const InShares& in_shares = one_by_one; ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex);
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
-    /// Vertices of relabelled triangles: some may have too many sectors now.
+    /// Vertices of triangles that changed their phase; some may now have too many sectors.
     std::vector<Vertex> touched = {};
-    std::vector<Transfer> transfers = {}; ///< kept where area is to be given back
+    std::vector<Transfer> transfers = {}; ///< recorded if area must be given back
     double swept = 0;                     ///< area, by merged junctions; the next event reports it
     /// The candidates that were blocked before the change, ascending.
     std::vector<std::uint32_t> blocked = {};
 };
 
-/// The half-edge has another phase, or the outside of the domain, on its right. O(1).
+/// Whether the half-edge has another phase, or the outside of the domain, on its right. O(1).
 template <class Real>
 [[nodiscard]] bool is_outline(const Complex<Real>& complex, Corner c) {
     return complex.phase_at(complex.twin(c)) != complex.phase_at(c);
 }
 
-/// The half-edge has another phase on its right.
+/// Whether the half-edge has another phase of the domain on its right.
 template <class Real>
 [[nodiscard]] bool is_sheet(const Complex<Real>& complex, Corner c) {
     return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
@@ -76,7 +76,7 @@ template <class Real>
     });
 }
 
-/// From the start of the half-edge to its end.
+/// The vector from the start of the half-edge to its end.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Point<Real> direction(const Complex<Real>& complex,
                                                                Corner c) {
@@ -85,7 +85,7 @@ template <class Real>
     return {to.x - from.x, to.y - from.y};
 }
 
-/// Twice the area.
+/// Twice the area of a triangle.
 template <class Real>
 [[nodiscard]] Real doubled_area(const Complex<Real>& complex, Triangle t) {
     const auto& v = complex.triangles[t.id].v;
@@ -95,7 +95,7 @@ template <class Real>
     return (c.x - b.x) * (a.y - c.y) - (c.y - b.y) * (a.x - c.x);
 }
 
-/// Whether the application allows it.
+/// Whether the application allows a film to open.
 template <class Real>
 [[nodiscard]] bool may_open(const TopologyWork<Real>& work, const Contact& contact) {
     return !work.options.may_change || work.options.may_change(contact);
@@ -116,14 +116,14 @@ template <class Real>
     return (work.notes[Vertex{v}].what & noted_seam) != 0;
 }
 
-/// Where a candidate was before the sub-step.
+/// The position of a candidate before the sub-step.
 template <class Real>
 [[nodiscard]] Point<Real> place_before(const TopologyWork<Real>& work, std::uint32_t v) {
     const NotedPlace<Real>& place = work.places[Vertex{v}];
     return {place.x, place.y};
 }
 
-/// Lets the seam continue from the vertices of this triangle.
+/// Marks the vertices of this triangle as lying on a seam, from which the seam may extend.
 template <class Real>
 void mark_seam(TopologyWork<Real>& work, Triangle t) {
     for (const Vertex v : work.complex.vertices_of(t)) {
@@ -131,7 +131,7 @@ void mark_seam(TopologyWork<Real>& work, Triangle t) {
     }
 }
 
-/// The smallest height.
+/// The smallest height of a triangle.
 template <class Real>
 [[nodiscard]] Real thickness(const Complex<Real>& complex, Triangle t) {
     Real longest = 0;
@@ -153,11 +153,11 @@ template <class Real>
     return min_area(work.options, work.edge_length);
 }
 
-/// Small pieces have no more triangles than this, unless their edges are very short.
+/// Small pieces have at most this many triangles, unless their edges are very short.
 inline constexpr std::size_t max_share_of_piece = 96;
 
-/// All triangles of the piece of a phase that holds `start`, into `piece`. Stops at
-/// `max_share_of_piece` and one more. O(their number squared).
+/// Collects in `piece` all triangles of the piece of a phase that contains `start`. Stops at
+/// `max_share_of_piece` + 1 triangles. O(their number squared).
 template <class Real>
 void gather_piece(const Complex<Real>& complex, Triangle start, std::vector<Triangle>& piece) {
     const Phase phase = complex.phase(start);

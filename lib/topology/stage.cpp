@@ -20,7 +20,7 @@ TopologyStage<Real>::TopologyStage(TopologyOptions<Real> options) : options_(std
 template <class Real>
 void TopologyStage<Real>::set_options(TopologyOptions<Real> options) {
     check_topology(options);
-    // Only if the contact distances change: a phase may have shrunk since, which is no error.
+    // Checked only if contact distances change, because a phase that has shrunk since is no error.
     if (complex_ != nullptr && differ_in_contact(options, options_)) {
         check_contact<Real>(*complex_, options, edge_length_);
     }
@@ -30,7 +30,7 @@ void TopologyStage<Real>::set_options(TopologyOptions<Real> options) {
 
 template <class Real>
 void TopologyStage<Real>::check(const Complex<Real>& complex, const Options<Real>& options) const {
-    if (complex_ != &complex) { // later, a phase may have shrunk, which is no error
+    if (complex_ != &complex) { // not later, because a phase that has shrunk is no error
         check_contact<Real>(complex, options_, options.edge_length);
     }
 }
@@ -80,7 +80,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
     const auto is_blocked = [&](std::uint32_t v) {
         return (complex.vertices[v].flags & vertex_contact) != 0;
     };
-    // Films wider than a triangle are searched for from every vertex.
+    // Films wider than a triangle are searched from every interface vertex.
     const bool is_notable = is_wide(notable_.contact, edge_length_) ||
                             std::ranges::any_of(between.interface, [&](std::uint32_t v) {
                                 return (what(v) & (noted_facing | noted_sharp)) != 0;

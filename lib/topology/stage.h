@@ -15,16 +15,16 @@
 
 namespace dsc {
 
-/// Phases that meet, merge and part: `simulation.add_stage(std::make_shared<TopologyStage<double>>(
-/// TopologyOptions<double>{.rule = Topology::change}))`. For one simulation at a time; not
-/// thread-safe itself.
+/// Phases that meet, merge and split:
+/// `simulation.add_stage(std::make_shared<TopologyStage<double>>( TopologyOptions<double>{.rule =
+/// Topology::change}))`. A stage belongs to one simulation at a time and is not thread-safe.
 template <class Real>
 class TopologyStage final : public Stage<Real> {
 public:
     /// Throws InputError if an option is out of range.
     explicit TopologyStage(TopologyOptions<Real> options);
 
-    /// The options of the next sub-step.
+    /// The options, valid from the next sub-step on.
     [[nodiscard]] const TopologyOptions<Real>& options() const { return options_; }
     /// Replaces the options between two steps. Throws InputError if one is out of range, or a new
     /// contact distance wider than a phase (contact_check.h), and then keeps the old ones.
@@ -56,7 +56,7 @@ private:
     VertexAttribute<NotedPlace<Real>>* places_ = nullptr;
     Real edge_length_ = 0;
     Notability<Real> notable_;
-    std::uint32_t round_ = 2;           ///< of the next sub-step; a vertex without a note has 0
+    std::uint32_t round_ = 2;           ///< of the next notes; 0: a vertex without a note
     std::vector<Candidate> candidates_; ///< scratch of run
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these

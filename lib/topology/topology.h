@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Phases that meet, merge and part: a stage of a simulation, in reading order.
+// Phases that meet, merge and split: a stage of a simulation, in reading order.
 #pragma once
 
 #include "topology/options.h"

@@ -19,18 +19,20 @@ namespace dsc {
 
 namespace {
 
-/// Up to this many contact distances, and an edge, along a curve a film is the wedge at its end.
+/// Chords closer to the end of the curve than this many contact distances and an edge, along the
+/// curve, belong to the wedge there and are no film.
 constexpr double length_of_wedge = 1.5;
-/// Up to this many, it is a part of the film that has opened there.
+/// Chords closer to the end than this many contact distances belong to the film that has opened
+/// there.
 constexpr double same_film = 12;
-/// The share of a boundary edge that is near its end.
+/// A foot counts as near an end of a boundary edge up to this share of the edge.
 constexpr double near_foot = 0.25;
 /// An interface edge near the domain boundary, with the film on its left.
 template <class Real>
 struct BoundaryChord {
     Corner sheet;
     FilmRay<Real> ray;
-    bool is_first = true; ///< none of the chords leads to it along the outline
+    bool is_first = true; ///< no other chord precedes it along the outline
 };
 
 template <class Real>
@@ -47,9 +49,9 @@ public:
     }
 
 private:
-    // Until the mesh is another one.
+    // Visits runs of chords until the mesh is refined.
     void visit_runs() {
-        for (const bool starts : {true, false}) { // those left over go round
+        for (const bool starts : {true, false}) { // remaining chords lie on closed curves
             for (std::size_t i = 0; i < chords_.size() && !is_refined_; ++i) {
                 if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
                     visit_run(i);
@@ -61,7 +63,8 @@ private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
     // --- films ----------------------------------------------------------------------------------
-    // In the order of their places. Nearly always there are none, and nothing is allocated.
+    // Finds the chords, in the order of their positions. Nearly always there are none, and nothing
+    // is allocated.
     void find_chords() {
         chords_.clear();
         index_.clear();
@@ -75,11 +78,11 @@ private:
                 const Corner across = complex_.twin(leaves);
                 if (!is_border(across) && is_sheet(complex_, leaves)) {
                     add_chord(leaves, found);
-                    if (!is_candidate(complex_.vertex(next(c)))) { // else it adds its own
+                    if (!is_candidate(complex_.vertex(next(c)))) { // a candidate adds its own
                         add_chord(across, found);
                     }
                 }
-                return false; // all of them, in any order
+                return false; // visits all corners
             });
         };
         find_at(work_.in_shares, candidates_, chords_, look);
@@ -109,7 +112,7 @@ private:
         return slot < candidates_.size() && candidates_[slot].vertex == v;
     }
 
-    // To the domain boundary, if that is within the contact distance.
+    // The ray from the sheet to the domain boundary, if that is within the contact distance.
     [[nodiscard]] FilmRay<Real> ray_of(Corner sheet) const {
         const Real contact = contact_of(sheet);
         if (!(contact > 0)) {
@@ -127,7 +130,8 @@ private:
         return rule.rule == Topology::change ? rule.contact : Real(0);
     }
 
-    // Successive chords. If the curve ends on the domain boundary nearby, they are the wedge there.
+    // Opens the film of a run of successive chords, unless the curve ends on the domain boundary
+    // nearby: they are then the wedge there.
     void visit_run(std::size_t first) {
         std::vector<BoundaryChord<Real>> run;
         for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
@@ -148,7 +152,8 @@ private:
                                             way_to_end(complex_.twin(run.front().sheet), contact))
                                  : Real(0);
         const Real near = static_cast<Real>(length_of_wedge) * contact + work_.edge_length;
-        // Held up for good, or at once where no vertex lands.
+        // The chord is pressed if both its vertices are blocked: stuck in several sub-steps, or
+        // blocked now at a place where no vertex lands.
         const auto is_pressed = [&](const BoundaryChord<Real>& chord) {
             const Corner c = chord.sheet;
             return is_stuck(c) || (is_blocked(work_, complex_.vertex(next(c))) &&
@@ -161,7 +166,8 @@ private:
         open(run, std::isfinite(nearest) ? EventKind::widen : EventKind::meet);
     }
 
-    // Whether a chord may still open: what opened before it may have taken its edge, or the film.
+    // Whether a chord may still open: a film that opened before it may have taken its edge, or the
+    // film.
     [[nodiscard]] bool opens(BoundaryChord<Real>& chord) const {
         if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
             return false;
@@ -171,7 +177,7 @@ private:
                (work_.options.opening != Opening::squeezed || is_squeezed_to_boundary(chord));
     }
 
-    // Held up for good, at both ends.
+    // Whether both ends of the sheet have been blocked repeatedly.
     [[nodiscard]] bool is_stuck(Corner sheet) const {
         const auto is_end_stuck = [&](Corner c) {
             return (complex_.vertices[complex_.vertex(c)].flags & vertex_contact) == vertex_contact;
@@ -179,8 +185,9 @@ private:
         return is_end_stuck(next(sheet)) && is_end_stuck(prev(sheet));
     }
 
-    // From the end of the half-edge along the curve to where that ends on the domain boundary, if
-    // that is near enough to matter; 0 where it ends itself, or is of the interface no longer.
+    // The length along the curve from the end of the half-edge to the curve's end on the domain
+    // boundary, if that is near enough to matter; 0 if the half-edge itself ends there, or is no
+    // longer on the interface.
     [[nodiscard]] Real way_to_end(Corner sheet, Real contact) const {
         if (!is_sheet(complex_, sheet)) {
             return 0;
@@ -197,8 +204,8 @@ private:
         return length;
     }
 
-    // Whether the half-edge leads to an end of the curve on the domain boundary nearby, past
-    // vertices that the boundary holds up: they land one after the other, from that end.
+    // Whether the half-edge leads to a nearby end of the curve on the domain boundary, past
+    // vertices that the boundary blocks: these land one after the other, from that end.
     [[nodiscard]] bool is_to_land(Corner sheet, Real near) const {
         Real length = 0;
         Corner c = sheet;
@@ -212,8 +219,8 @@ private:
         return false;
     }
 
-    // As between two sheets, of which the second one is the image of the first on the domain
-    // boundary.
+    // Whether the film is squeezed, as between two sheets of which the second is the mirror image
+    // of the first in the domain boundary.
     [[nodiscard]] bool is_squeezed_to_boundary(const BoundaryChord<Real>& chord) const {
         const Point<Real> foot = at(complex_.vertex(next(chord.ray.boundary)));
         const Point<Real> along = direction(complex_, chord.ray.boundary).normalized();
@@ -223,7 +230,7 @@ private:
             const std::uint32_t v = complex_.vertex(i == 0 ? next(chord.sheet) : prev(chord.sheet));
             const auto& record = complex_.vertices[v];
             if ((record.flags & vertex_contact) != 0) {
-                return true; // the domain boundary holds it up, if only for the first time
+                return true; // blocked by the domain boundary, even if for the first time
             }
             if (record.slot >= candidates_.size() || candidates_[record.slot].vertex != v) {
                 return false;
@@ -240,14 +247,14 @@ private:
         return is_squeezed(then, now);
     }
 
-    // By its ends, as splits give half-edges other corners.
+    // A sheet, named by its two ends, because splits change the corners of half-edges.
     using Sheet = std::array<Vertex, 2>;
     [[nodiscard]] Corner half_edge(const Sheet& sheet) const {
         return complex_.find_half_edge(sheet[0], sheet[1]);
     }
 
-    // The film is divided by whole triangles: they must not be coarse, and below a junction each of
-    // the two phases is to reach the domain boundary.
+    // Refines the film, which is divided by whole triangles: they must not be coarse, and below a
+    // junction each of the two phases must reach the domain boundary.
     void prepare(const std::vector<Sheet>& sheets, Real contact) {
         for (const Sheet& sheet : sheets) {
             is_refined_ = refine_film<Real>(work_, sheet, contact) || is_refined_;
@@ -262,7 +269,8 @@ private:
         }
     }
 
-    // At the foot of the vertex between the two, unless a boundary vertex is near it.
+    // Splits the boundary edge at the foot of the vertex between the two sheets, unless a boundary
+    // vertex is near it.
     bool split_below(const Sheet& one, const Sheet& other) {
         for (const Sheet& sheet : {one, other}) {
             const Corner boundary = ray_of(half_edge(sheet)).boundary;
@@ -280,8 +288,9 @@ private:
         return false;
     }
 
-    // The outline of the film goes on across junctions. The phases beyond it divide the film
-    // between them, but each is asked for, and told of, by itself.
+    // Opens the film along a run of chords. Its outline continues across junctions, and the phases
+    // beyond divide the film; each part is a separate event, with its own question to the
+    // application.
     void open(std::vector<BoundaryChord<Real>> run, EventKind kind) {
         std::erase_if(run, [this](BoundaryChord<Real>& chord) { return !opens(chord); });
         if (run.empty()) {
@@ -341,8 +350,8 @@ private:
     Complex<Real>& complex_;
     std::span<const Candidate> candidates_;
     std::vector<BoundaryChord<Real>> chords_;
-    std::unordered_map<Corner, std::size_t> index_; ///< of the chords that are still to be visited
-    bool is_refined_ = false;                       ///< the chords are to be found anew
+    std::unordered_map<Corner, std::size_t> index_; ///< the chords still to be visited
+    bool is_refined_ = false;                       ///< the chords must be found anew
 };
 
 } // namespace

@@ -8,13 +8,14 @@ namespace dsc {
 
 namespace {
 
-/// Two edges that close up on each other along the outline, nearer than this many edges, are the
-/// end of a filament rather than its two sides.
+/// Two edges fewer than this many edges apart along the outline are the end of a filament rather
+/// than its two sides.
 constexpr int end_of_filament = 6;
 /// Cosine of the angle between the directions of two edges that face each other.
 constexpr double facing = -0.3;
 /// Two sheets approach each other if they come closer by this share of the way that they move.
-/// Rounding, and the curvature of the flow, make less than that in films that are advected.
+/// In films that are only advected, rounding and the curvature of the flow bring them closer by
+/// less than that.
 constexpr double min_approach = 0.01;
 
 template <class Real>
@@ -71,10 +72,10 @@ bool is_squeezed(const TopologyWork<Real>& work, std::span<const Candidate> cand
         const std::uint32_t v = complex.vertex(i % 2 == 0 ? next(sheet) : prev(sheet));
         const auto& record = complex.vertices[v];
         if ((record.flags & vertex_contact) != 0) {
-            return true; // the film holds up the interface
+            return true; // the film blocks the interface
         }
         if (record.slot >= candidates.size() || candidates[record.slot].vertex != v) {
-            return false; // new, or thin only since: it is asked again after the next sub-step
+            return false; // new, or not thin before: tested again after the next sub-step
         }
         now[i] = {record.x, record.y};
         then[i] = place_before(work, v);
@@ -82,9 +83,9 @@ bool is_squeezed(const TopologyWork<Real>& work, std::span<const Candidate> cand
     return is_squeezed(then, now);
 }
 
-// In one sub-step the area between the two sheets falls by `closing` because they come closer, as
-// far as their own length does not grow at the same time, and by `losing` in all. In a flow that
-// keeps areas the latter is nothing.
+// In a sub-step the area between the two sheets decreases by `losing` in total; `closing` is the
+// part due to their approach, apart from changes of their own length. In a flow that keeps areas
+// `losing` is 0.
 template <class Real>
 bool is_squeezed(const std::array<Point<Real>, 4>& then, const std::array<Point<Real>, 4>& now) {
     Real farthest_squared = 0;
@@ -94,10 +95,10 @@ bool is_squeezed(const std::array<Point<Real>, 4>& then, const std::array<Point<
     const Real area_now = quadrilateral(now);
     const Real area_then = quadrilateral(then);
     const Real losing = area_then - area_now;
-    // What follows asks for 2 losing > closing > min_approach * farthest * length, and the mean
-    // length is at least half of the longer one. In a flow that keeps areas, where a filament has
-    // many such films, this ends nearly all of them. Not squared: float has no squares of areas as
-    // small as those of a fine mesh in a small unit.
+    // The later condition is 2 losing > closing > min_approach * farthest * length, where the mean
+    // length is at least half of the longer one. This quick test already rejects nearly all films
+    // of a filament in a flow that keeps areas. Areas are not squared, because float cannot
+    // represent the squares of areas of a fine mesh in a small unit.
     const Real farthest = std::sqrt(farthest_squared);
     const Real longer =
         std::sqrt(std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm()));
@@ -163,8 +164,8 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Candidate> cand
     const Corner sheet = sheets[0];
     bool found = false;
     for (const Corner side : {next(sheet), prev(sheet)}) {
-        // The triangle across this side has the apex of t as well, and its other vertex is the next
-        // one along the second sheet.
+        // The triangle across this side shares the apex of t, and its third vertex is the next one
+        // along the second sheet.
         const Corner across = complex.twin(side);
         const Triangle u{triangle_of(across)};
         if (is_outline(complex, side)) {
@@ -175,7 +176,8 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Candidate> cand
         if (sheets_of(complex, u, others) != 1 || others[0] != opposite) {
             continue;
         }
-        // First what rules out most: nothing is squeezed in a flow that keeps areas.
+        // First the test that rejects most triangles: no film is squeezed in a flow that keeps
+        // areas.
         if (work.options.opening == Opening::squeezed &&
             !is_squeezed(work, candidates, {sheet, opposite})) {
             continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a film may open: two triangles side by side, one at each of its sheets.
+// Bridges, at which a film may open: two neighbouring triangles, one at each of its sheets.
 #pragma once
 
 #include "topology/candidates.h"
@@ -16,22 +16,22 @@ struct Bridge {
     Real thickness;
 };
 
-/// The contact distance at a half-edge on the interface; 0 if it has to stay. Where it is more than
-/// single triangles span, which is the matter of wide_films.h, the default.
+/// The contact distance at a half-edge on the interface; 0 if the half-edge must stay. The default,
+/// if the distance is wider than single triangles span: wide_films.h then handles it.
 template <class Real>
 [[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet);
 
-/// The two half-edges face each other, with a film of the phase on their left between them. O(1).
+/// Whether the two half-edges face each other across a film of the phase on their left. O(1).
 template <class Real>
 [[nodiscard]] bool faces(const Complex<Real>& complex, Corner one, Corner other);
 
-/// Both half-edges lie on a seam. Where a bridge has opened, the two ends of its seam face each
-/// other as well, and what is between them is as thin as the film was. That is not a film, unless
-/// they hold up each other. O(1).
+/// Whether both half-edges lie on a seam. Where a bridge has opened, the two ends of its seam also
+/// face each other, at a distance as small as the film's thickness. The phase between them is not a
+/// film, unless the ends block each other. O(1).
 template <class Real>
 [[nodiscard]] bool are_ends_of_seam(const TopologyWork<Real>& work, Corner one, Corner other);
 
-/// The flow takes area from the film between the two half-edges, or they hold up each other.
+/// Whether the flow takes area from the film between the two half-edges, or they block each other.
 /// `candidates` as in `find_bridge`. O(1).
 template <class Real>
 [[nodiscard]] bool is_squeezed(const TopologyWork<Real>& work,
@@ -44,16 +44,18 @@ template <class Real>
 [[nodiscard]] bool is_squeezed(const std::array<Point<Real>, 4>& then,
                                const std::array<Point<Real>, 4>& now);
 
-/// Thin enough for one of the phases across its edges, and not at the domain boundary.
+/// Whether the triangle is thinner than the contact distance with one of the phases across its
+/// edges, and is not at the domain boundary.
 template <class Real>
 [[nodiscard]] bool is_thin(const TopologyWork<Real>& work, Triangle t);
 
-/// The half-edges of a triangle that lie on the interface; returns their number.
+/// Finds the half-edges of a triangle that lie on the interface; returns their number.
 template <class Real>
 int sheets_of(const Complex<Real>& complex, Triangle t, std::array<Corner, 3>& sheets);
 
-/// The thinner of the bridges of a thin triangle, if the film is to open there. `candidates`: of
-/// the change; `VertexRecord::slot` of each is its index there. O(degrees).
+/// Finds the thinner of the bridges of a thin triangle, if the film is to open there. `candidates`
+/// are those of the change of topology; `VertexRecord::slot` of a vertex is its index in the list.
+/// O(degrees).
 template <class Real>
 [[nodiscard]] bool find_bridge(const TopologyWork<Real>& work,
                                std::span<const Candidate> candidates, Triangle t,

@@ -16,9 +16,10 @@ namespace {
 /// Two sheets that meet along the outline within this many contact distances are the end of a
 /// filament rather than its two sides.
 constexpr double filament_end = 6;
-/// Up to here the end is seen from the film.
+/// Up to this many contact distances, a sheet is beside the end of a filament.
 constexpr double beside_end = 1.25 * filament_end;
-/// The same for the end of a seam, which crosses the film.
+/// Up to this many contact distances, two sheets belong to the end of a seam, which crosses the
+/// film.
 constexpr double end_of_seam = 3;
 
 template <class Real>
@@ -29,7 +30,7 @@ struct Way {
     Real length = 0; ///< between the two half-edges
 };
 
-// Along the outline from one half-edge to another, if it is not farther than `longest`.
+// The way along the outline from one half-edge to another, if it is not longer than `longest`.
 template <class Real>
 Way<Real> way_along(const TopologyWork<Real>& work, Corner one, Corner other, Real longest) {
     const Complex<Real>& complex = work.complex;
@@ -51,7 +52,7 @@ Way<Real> way_along(const TopologyWork<Real>& work, Corner one, Corner other, Re
     return way;
 }
 
-// Sets of indices that grow together.
+// Disjoint sets of indices that can be joined (union-find).
 class Places {
 public:
     explicit Places(std::size_t count) : parent_(count) {
@@ -72,7 +73,7 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-// The sheets of all chords, each once, in the order of their places.
+// The sheets of all chords, each once, in the order of their positions.
 template <class Real>
 std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
                                               std::span<const Candidate> candidates) {
@@ -170,7 +171,8 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
                                              : std::numeric_limits<double>::infinity();
         (distances < filament_end ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
-        // What stands on the domain boundary is no end of a seam, though a film has opened there.
+        // A sheet that ends on the domain boundary is no end of a seam, even if a film has opened
+        // there.
         connection.is_seam =
             connection.is_seam || (distances < end_of_seam && way.on_seam && !way.on_boundary);
     }

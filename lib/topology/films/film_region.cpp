@@ -16,16 +16,17 @@ namespace dsc {
 namespace {
 
 constexpr int smoothing_rounds = 4;
-/// A vertex is not moved where a triangle would fall below this area doubled over its longest edge
-/// squared, which is 0.87 at most.
+/// A vertex is not moved if the doubled area of a triangle over its longest edge squared (at most
+/// 0.87) would fall below this.
 constexpr double min_share = 0.2;
 /// A pocket shares more of its outline than this with the region about it. The phase beyond a neck
 /// shares less.
 constexpr double pocket_share = 1.0 / 3;
-/// In edge lengths: the longest edges of uniform sizes, by `PhaseThresholds::longest`.
+/// Longest edges in a film, in edge lengths: those of uniform sizes, by `PhaseThresholds::longest`.
 constexpr double longest_in_film = 1.6;
 
-// Of the triangles on the ray, the longest edge that is not of the interface; no_id if it is short.
+// The longest edge of the triangles on the ray that is not on the interface; no_id if it is short
+// enough.
 template <class Real>
 Corner longest_on_ray(const TopologyWork<Real>& work, Corner sheet, Real contact) {
     Corner found = no_id;
@@ -128,14 +129,14 @@ void FilmRegion<Real>::fill() {
     }
 }
 
-// Of the film, and not in the region.
+// Whether the triangle belongs to the film, but not to the region.
 template <class Real>
 bool FilmRegion<Real>::is_rest(Triangle t) const {
     return t.id != border_triangle && work_.complex.phase(t) == film_ && !contains(t);
 }
 
-// Whether the piece that the region leaves here is too small to last: below the least area, or a
-// pocket between rays, thinner than the contact distance. Then `piece_` holds it.
+// Whether the piece that the region leaves here is too small to stay: below the smallest area, or a
+// pocket between rays that is thinner than the contact distance. Then `piece_` holds it.
 template <class Real>
 bool FilmRegion<Real>::is_small_piece(Triangle start) {
     const Complex<Real>& complex = work_.complex;
@@ -160,7 +161,7 @@ bool FilmRegion<Real>::is_small_piece(Triangle start) {
             }
         }
     }
-    // Of a disc this is the diameter, of a strip twice its thickness.
+    // The diameter of a disc; twice the thickness of a strip.
     const Real width = 2 * doubled / perimeter;
     return doubled / 2 < min_area(work_) ||
            (width < contact_ && shared > static_cast<Real>(pocket_share) * perimeter);
@@ -188,7 +189,7 @@ void FilmRegion<Real>::smooth() {
     }
 }
 
-// Moves the vertex between its two neighbours on the interface to be.
+// Moves the vertex to the middle between its two neighbours on the future interface.
 template <class Real>
 void FilmRegion<Real>::straighten(Vertex v) {
     Complex<Real>& complex = work_.complex;
@@ -231,7 +232,8 @@ Real FilmRegion<Real>::worst_share(Vertex v, const Point<Real>& place) const {
     return worst;
 }
 
-// Exact: of the thinnest triangles the share has the sign of its rounding.
+// Uses the exact predicate, because for the thinnest triangles the sign of the computed share is
+// that of its rounding error.
 template <class Real>
 bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const {
     const Complex<Real>& complex = work_.complex;

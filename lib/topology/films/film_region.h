@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The triangles of a film between two sheets, as they are about to change hands: those that rays
-// cross, and what would be left between them.
+// The region of a film between two sheets that is about to change its phase: the triangles that
+// rays cross, and what would remain between them.
 #pragma once
 
 #include "topology/region.h"
@@ -11,32 +11,32 @@
 
 namespace dsc {
 
-/// Splits the edges of a film that the ray of the half-edge between two vertices comes past, where
-/// they are longer than those of uniform sizes: a film is divided by whole triangles. Returns
-/// whether there were any. O(contact / length of the edges).
+/// Splits long edges of the triangles that the ray of the half-edge between two vertices crosses,
+/// because a film is divided by whole triangles; edges are long if they are longer than those of
+/// uniform sizes. Returns whether there were any. O(contact / length of the edges).
 template <class Real>
 bool refine_film(TopologyWork<Real>& work, const std::array<Vertex, 2>& sheet, Real contact);
 
 template <class Real>
 class FilmRegion {
 public:
-    /// Rays are followed as far as `contact`, which is wider than pockets between them.
+    /// Rays are followed up to the distance `contact`; pockets between them are thinner than that.
     FilmRegion(TopologyWork<Real>& work, Phase film, Real contact)
         : work_(work), film_(film), contact_(contact) {}
 
-    /// The triangles on the ray of the half-edge, each for the phase beyond the nearest sheet; the
-    /// domain boundary is none.
-    /// O(contact / length of the edges).
+    /// Adds the triangles on the ray of the half-edge, each for the phase beyond the nearest sheet;
+    /// the domain boundary does not count as a sheet. O(contact / length of the edges).
     void add_ray(Corner sheet);
-    /// Takes what would be left as notches, pockets, and pieces below the least area. O(number of
+    /// Adds what would remain as notches, pockets, and pieces below the smallest area. O(number of
     /// triangles), a few dozen times.
     void fill();
-    /// Straightens where the region will end: its vertices there are inside the film, so that no
-    /// phase changes by that. O(number of triangles), a few times.
+    /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
+    /// area changes. O(number of triangles), a few times.
     void smooth();
-    /// The area that the phase is about to take. O(number of triangles).
+    /// The area that the phase will take. O(number of triangles).
     [[nodiscard]] double area_of(Phase taker) const;
-    /// Gives all triangles away and returns their area. Their vertices lie on a seam from now on.
+    /// Gives all triangles to their new phases and returns their area. Their vertices are then
+    /// marked as lying on a seam.
     double give_all();
 
     [[nodiscard]] bool contains(Triangle t) const { return entries_.contains(t.id); }
@@ -44,7 +44,7 @@ public:
 private:
     struct Entry {
         Phase to;
-        Real distance; ///< to the nearest sheet, along a ray
+        Real distance; ///< from the nearest sheet, along a ray
     };
 
     void offer(Triangle t, Phase to, Real distance);

@@ -14,9 +14,9 @@ namespace {
 /// vertices of one curve have a larger one.
 constexpr double seam_angle = 0.5;
 /// A piece whose mean thickness is less than this many contact distances is the rest of a film that
-/// has opened at its ends. Triangles that lean are thinner than their film, by half at most.
+/// has opened at its ends. Oblique triangles are thinner than their film, by half at most.
 constexpr double rest_of_film = 2.5;
-/// More than rounding can change in a thickness.
+/// A relative slack of thicknesses, larger than their rounding errors.
 constexpr double thickness_slack = 1e-3;
 
 template <class Real>
@@ -30,7 +30,7 @@ public:
     }
 
     void run(std::span<const Candidate> candidates, std::span<const Candidate> notable) {
-        // Which stars face a sheet was seen before anything changed.
+        // The notes on stars that face a sheet are valid only if nothing has changed since.
         if (work_.touched.empty()) {
             find_near(notable, &Candidate::is_facing);
         } else {
@@ -43,14 +43,15 @@ public:
         const std::size_t before = work_.events.size();
         const auto opens = [&](Triangle t) { return find_bridge(work_, candidates, t, bridge); };
         for (const Triangle t : thin_triangles(opens)) {
-            if (is_thin(work_, t) && opens(t)) { // those before it may have closed it
+            if (is_thin(work_, t) && opens(t)) { // earlier openings may have closed it
                 open(bridge);
             }
         }
         if (!work_.options.follows_seams) {
             return;
         }
-        // Seams of earlier events, whose sheets have come closer since, and of those just now.
+        // Continues seams of earlier events, whose sheets have come closer since, and of the new
+        // events.
         if (work_.events.size() != before) {
             find_near(candidates, &Candidate::is_thin);
         }
@@ -65,8 +66,8 @@ public:
 private:
     // --- candidates ---------------------------------------------------------------------------
     // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
-    // the other; so has the end of a seam. Nearly no interface vertex has a triangle of this kind
-    // before an event makes some.
+    // the other; so has the end of a seam. Before the first event almost no interface vertex has
+    // such a triangle.
     void find_near(std::span<const Candidate> candidates, bool Candidate::*may_be) {
         near_.clear();
         for (const auto& candidate : candidates) {
@@ -82,8 +83,8 @@ private:
         }
     }
 
-    // Between two successive edges of one sheet, away from seams, and nothing is blocked: it
-    // bridges no film, and is not the end of a seam.
+    // Whether the triangle lies between two successive edges of one sheet, away from seams, with no
+    // blocked vertex: it bridges no film, and is not the end of a seam.
     bool is_plain_ear(Corner c) const {
         const auto is_plain = [&](std::uint32_t v) {
             return !is_seam(v) && (complex_.vertices[v].flags & vertex_contact) == 0;
@@ -93,7 +94,8 @@ private:
                is_plain(complex_.vertex(prev(c)));
     }
 
-    // In the order of their places, which is the same for every way to divide the mesh.
+    // The thin triangles in the order of their positions, which does not depend on the division of
+    // the mesh.
     template <class Test>
     std::vector<Triangle> thin_triangles(Test test) const {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
@@ -124,11 +126,11 @@ private:
     }
 
     // --- events -------------------------------------------------------------------------------
-    // Both sheets on one outline of the film: it falls into two pieces. On two: they become one.
-    // If one of the two pieces is too small to last, the bridge is a part of what made the piece:
-    // of a seam, ahead of its end, or of the end of a filament. Then `pocket_` is at that piece.
-    // A piece that is larger, but thin all along, is the rest of a film that has opened at its
-    // other end: it is left to the seam.
+    // If both sheets are on one outline of the film, the film splits into two pieces; if they are
+    // on two outlines, these become one. If one of the two pieces is too small to stay, the bridge
+    // belongs to a seam ahead of its end, or to the end of a filament, and `pocket_` is set to that
+    // piece. A larger piece that is thin everywhere is the rest of a film that has opened at its
+    // other end: the seam will close it.
     EventKind kind_of(const Bridge<Real>& bridge, Phase one, Phase other) {
         pocket_.clear();
         const auto [first, second] = bridge.sheets;
@@ -147,8 +149,8 @@ private:
             add(c, origin, *side);
         }
         if (is_same) {
-            // Each side is closed by the bridge, which has no area to speak of. What lies outside
-            // an outline has a negative area here.
+            // The bridge, whose area is negligible, closes the outline on each side. A side that
+            // encloses the outside has a negative area.
             const bool is_ahead =
                 ahead.doubled > 0 && !(behind.doubled > 0 && behind.doubled < ahead.doubled);
             const Area& smaller = is_ahead ? ahead : behind;
@@ -195,7 +197,7 @@ private:
                piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
     }
 
-    // One that goes on.
+    // // Whether the vertex lies on a seam that may extend.
     bool is_seam(std::uint32_t v) const {
         return work_.options.follows_seams && is_on_seam(work_, v);
     }
@@ -276,7 +278,7 @@ private:
         const Corner shared = next(sheets[0]) == sheets[1] ? prev(sheets[0]) : next(sheets[0]);
         const Point<Real> a = direction(complex_, sheets[0]);
         const Point<Real> b = direction(complex_, sheets[1]);
-        // Its two sides hold up each other.
+        // The two sides of the notch block each other.
         const auto is_blocked = [&](Corner c) {
             const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
             return (complex_.vertices[v].flags & vertex_contact) != 0;
@@ -314,7 +316,8 @@ private:
                                    [this](Vertex v) { return is_seam(v.id); });
     }
 
-    // Asked for a notch that no event has made. All of a small piece is no notch: it vanishes.
+    // Whether a notch that no event has made may close. A whole small piece is no notch; it
+    // vanishes instead.
     [[nodiscard]] bool may_close(Triangle t) {
         if (is_small_piece(t)) {
             return false;
@@ -364,7 +367,8 @@ private:
         return to;
     }
 
-    // From a triangle of the film on, as far as the seam goes. Returns the area that was closed.
+    // Closes the film from this triangle on, as far as the seam extends. Returns the area that was
+    // closed.
     double close_from(Corner c, Phase film) {
         double area = 0;
         std::vector<Corner> ahead;

@@ -17,12 +17,12 @@ namespace dsc {
 
 namespace {
 
-/// A vertex lands on the domain boundary from below this height, in edge lengths.
+/// A vertex lands on the domain boundary if it is lower than this, in edge lengths.
 constexpr double landing_height = 0.15;
-/// It lands on a boundary vertex that is nearer than this share of the edge there, or of the
-/// edge length where that is less.
+/// It lands on a boundary vertex that is nearer than this fraction of the boundary edge, or of the
+/// edge length if that is less.
 constexpr double landing_share = 0.25;
-/// Up to this far along the curve from its end, in edge lengths, others land first.
+/// Vertices up to this far from the end of the curve, along it, in edge lengths, land first.
 constexpr double landing_reach = 1.5;
 
 template <class Real>
@@ -62,7 +62,7 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // The end of a curve that is blocked has the next vertices of its own curves in its way.
+    // If the end of a curve is blocked, the next vertices of its own curves are in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
         return complex_.is_alive(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -78,8 +78,8 @@ private:
                }) != no_id;
     }
 
-    // Between a vertex that is blocked and the end of its curve may be others, as low as it, that
-    // are not. They land first, from the end on.
+    // Between a blocked vertex and the end of its curve there may be others, equally low, that are
+    // not blocked. These land first, from the end on.
     void land_those_before(std::uint32_t v) {
         std::vector<std::vector<std::uint32_t>> ways;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -93,8 +93,8 @@ private:
         }
     }
 
-    // The vertices along the curve from the end of the half-edge to before the domain boundary, if
-    // that is near.
+    // The vertices along the curve from the end of the half-edge up to the domain boundary
+    // (excluded), if that is near.
     [[nodiscard]] std::vector<std::uint32_t> way_to_end(Corner c) const {
         std::vector<std::uint32_t> way;
         Real length = direction(complex_, c).norm();
@@ -113,9 +113,9 @@ private:
         return {};
     }
 
-    // Fills a slit whose mouth holds the vertex up: a triangle of which the two long sides are of
-    // the interface, and the mouth, which is at the vertex, is narrower than a film may be. And
-    // what is left of the film between it and the end of its curve.
+    // Fills a slit whose mouth blocks the vertex: a triangle with two long sides on the interface,
+    // whose mouth, at the vertex, is narrower than the contact distance. Also fills the rest of the
+    // film between the vertex and the end of its curve.
     void fill_slits(std::uint32_t v) {
         Corner side = no_id;
         while ((side = slit_at(v)) != no_id || (side = ear_at(v)) != no_id) {
@@ -160,8 +160,8 @@ private:
         return found;
     }
 
-    // A side of the thin triangle that is left between two edges of the curve where the vertex is
-    // above a boundary edge at its end; no_id if there is none.
+    // A side of the thin triangle that remains between two edges of the curve, if the vertex is
+    // above a boundary edge at the curve's end; no_id if there is none.
     [[nodiscard]] Corner ear_at(std::uint32_t v) const {
         Corner found = no_id;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -178,7 +178,7 @@ private:
         return found;
     }
 
-    // Returns the next vertex of the curve, if this one has landed.
+    // Lands the vertex, if possible; returns the next vertex of the curve if it has landed.
     std::uint32_t land(std::uint32_t v) {
         fill_slits(v);
         std::vector<std::tuple<Real, Real, Real, std::uint32_t>> neighbours;
@@ -203,12 +203,12 @@ private:
         return no_id;
     }
 
-    // Of the boundary edges at the end of a curve, the one above which the vertex is.
+    // The boundary edge, among those at the end of a curve, that lies below the vertex.
     struct Below {
         Corner edge = no_id; ///< the corner at the vertex
         std::uint32_t other = no_id;
         Real share = 0; ///< of the way along it
-        Real near = 0;  ///< up to this share from its ends is near them
+        Real near = 0;  ///< up to this share of the edge, a foot is near an end
     };
     [[nodiscard]] Below find_below(std::uint32_t v, std::uint32_t end) const {
         Below found;
@@ -236,8 +236,8 @@ private:
         return curves > 2;
     }
 
-    // Above the domain boundary, or the other curves, that leave the end of a curve towards the
-    // vertex; or its distance from the end.
+    // The height of the vertex above the domain boundary, or above the other curves that leave the
+    // curve's end towards it; or its distance from that end.
     [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
         const Point<Real> from = at(v) - at(end);
         Real lowest = from.norm();
@@ -254,8 +254,8 @@ private:
         return lowest;
     }
 
-    // Removes vertices of the film from between the edge and the domain boundary, as far as they
-    // may go.
+    // Removes vertices of the film between the edge and the domain boundary, as far as they may be
+    // removed.
     void make_way(std::uint32_t v, std::uint32_t end) {
         std::vector<std::uint32_t> link; // from side to side
         for_each_corner(complex_, Vertex{end}, [&](Corner c) {
@@ -289,7 +289,7 @@ private:
                     .y = static_cast<double>(at(v).y())};
         std::uint32_t target = end;
         if (below.edge != no_id && below.share > below.near) {
-            // Across the edge from the vertex to the end of the curve.
+            // The phase across the edge from the vertex to the end of the curve takes the wedge.
             const Corner side =
                 complex_.vertex(next(below.edge)) == end ? prev(below.edge) : next(below.edge);
             const Phase taker = complex_.phase_at(complex_.twin(side));
@@ -307,7 +307,8 @@ private:
         }
         const std::size_t transfers = work_.transfers.size();
         const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
-        // What the curve sweeps has not changed hands: the flow was to take the vertex there.
+        // The area that the curve sweeps is not recorded as transferred, because the flow itself
+        // would have moved the vertex there.
         work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
                               work_.transfers.end());
         work_.swept = 0;
@@ -317,7 +318,7 @@ private:
         return has_landed;
     }
 
-    // A boundary vertex below the one that lands, or a new one there.
+    // The boundary vertex below the one that lands: an existing or a new one.
     std::uint32_t foot_of(const Below& below, std::uint32_t end) {
         if (below.share < 1 - below.near) {
             const Point<Real> foot = at(end) + below.share * (at(below.other) - at(end));
@@ -329,7 +330,8 @@ private:
         return below.other;
     }
 
-    // The triangle between the curve and the domain boundary, as far as `target`.
+    // Gives away the triangle between the curve and the domain boundary, up to `target`; returns
+    // its area.
     double give_wedge(std::uint32_t v, std::uint32_t end, std::uint32_t target, Phase taker) {
         const Corner wedge = find_corner(complex_, Vertex{v}, [&](Corner c) {
             const std::uint32_t from = complex_.vertex(next(c));

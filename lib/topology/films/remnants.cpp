@@ -12,8 +12,8 @@ namespace dsc {
 
 namespace {
 
-/// Small pieces have no more triangles than this per squared edge length of the least area, unless
-/// their edges are very short.
+/// Small pieces have at most this many triangles per squared edge length of the smallest area,
+/// unless their edges are very short.
 constexpr std::size_t max_per_area = max_share_of_piece;
 
 template <class Real>
@@ -32,14 +32,15 @@ public:
     }
 
 private:
-    // `area`: the least one, in squared edge lengths.
+    // The largest number of triangles of a small piece; `area` is the smallest area, in squared
+    // edge lengths.
     static std::size_t most_of(Real area) {
         constexpr Real largest = 1e6;
         return static_cast<std::size_t>(static_cast<Real>(max_per_area) *
                                         std::clamp(area, Real(1), largest));
     }
 
-    // The half-edges of outlines that leave the vertices, in the order of their places.
+    // The half-edges of outlines that start at the vertices, in the order of their positions.
     std::vector<Corner> outlines_at(std::span<const Candidate> candidates) const {
         std::vector<std::tuple<Real, Real, Corner>> found;
         const auto look = [this](const Candidate& candidate, auto& outlines) {
@@ -53,7 +54,7 @@ private:
                     const Point<Real> place = centroid(complex_, Triangle{triangle_of(c)});
                     outlines.emplace_back(place.x(), place.y(), c);
                 }
-                return false; // all of them, in any order
+                return false; // visits all corners
             });
         };
         find_at(work_.in_shares, candidates, found, look);
@@ -65,8 +66,8 @@ private:
         return list;
     }
 
-    // Whether the triangles of the phase around this one have less than the least area together. A
-    // handful rules out nearly every piece, long before its outline has been walked.
+    // Whether the triangles of the phase around this one have less than the smallest area together.
+    // A few triangles exclude nearly every piece, long before its outline has been followed.
     bool may_be_small(Corner at) const {
         constexpr std::size_t handful = 16;
         const Phase phase = complex_.phase_at(at);
@@ -94,8 +95,8 @@ private:
         return true;
     }
 
-    // A piece of a phase that has area to spare may be a large part of the complex: it is followed
-    // no farther than the least area, and once for all vertices that lie on it.
+    // Collects the triangles of a piece. As a piece may be a large part of the complex, it is
+    // followed only up to the smallest area, and only once for all vertices on it.
     bool gather_small_piece(Triangle start) {
         const std::size_t number = ++pieces_;
         const Phase phase = complex_.phase(start);
@@ -118,7 +119,7 @@ private:
                 } else if (const auto [at, is_new] = piece_of_.try_emplace(t.id, number); is_new) {
                     piece_.push_back(t);
                 } else if (at->second != number) {
-                    return false; // it has been followed from elsewhere
+                    return false; // already followed from another vertex
                 }
             }
         }
@@ -135,7 +136,7 @@ private:
             outline_.push_back(c);
             c = along_outline(complex_, c);
         } while (c != start && outline_.size() < edges_);
-        // More edges than one outline has: another phase lies within.
+        // If the piece has more edges than this outline, another phase lies inside it.
         if (outline_.size() != edges_) {
             return;
         }
@@ -159,11 +160,11 @@ private:
         event.x /= event.area;
         event.y /= event.area;
         work_.events.push_back(event);
-        piece_of_.clear(); // the piece is part of another one now
+        piece_of_.clear(); // the piece is now a part of another one
     }
 
-    // The phase with the longest share of the outline; the smaller one of two equal ones. The
-    // piece's own phase if there is none that it may vanish into.
+    // The phase with the longest share of the outline; of two equal ones that with the smaller
+    // number. The piece's own phase if there is none into which it may vanish.
     Phase heir() const {
         std::vector<std::pair<Phase, Real>> lengths;
         const Phase phase = complex_.phase_at(outline_.front());
@@ -195,7 +196,7 @@ private:
     Real min_area_;
     std::size_t max_triangles_;
     std::vector<Corner> outline_;
-    std::vector<Triangle> piece_;                             ///< the triangles of the last one
+    std::vector<Triangle> piece_;                             ///< of the last piece
     std::size_t edges_ = 0;                                   ///< of all its outlines
     std::size_t pieces_ = 0;                                  ///< that have been followed
     std::unordered_map<std::uint32_t, std::size_t> piece_of_; ///< by triangle

@@ -12,7 +12,7 @@ namespace dsc {
 
 namespace {
 
-/// A thin place becomes thinner than this share towards the point of a tip.
+/// In a tip, a thin place becomes thinner than this fraction of its thickness towards the point.
 constexpr double tip_share = 0.7;
 /// A piece whose mean thickness is less than this many contact distances is the rest of a film that
 /// has opened beside it.
@@ -31,7 +31,7 @@ public:
     }
 
 private:
-    // Those that opened before it may have closed a part of the place.
+    // Opens a thin place; films that opened before may have closed a part of it.
     void visit(const std::vector<Corner>& place) {
         chords_.clear();
         seams_.clear();
@@ -81,14 +81,15 @@ private:
                    : !has_end_on_seam(sheets[0]) && !has_end_on_seam(sheets[1]);
     }
 
-    // A neck that a film has left is as thin as the film was: unless the flow squeezes it, it would
-    // close again, and so on.
+    // The neck that an opened film leaves is as thin as the film was: it would close again at once,
+    // so it only counts as a film if the flow squeezes it.
     bool has_end_on_seam(Corner sheet) const {
         return is_on_seam(work_, complex_.vertex(next(sheet))) ||
                is_on_seam(work_, complex_.vertex(prev(sheet)));
     }
 
-    // A small piece with a seam about it is not part of a film, unless the flow squeezes it.
+    // Whether the seam extends over this chord: a small piece surrounded by a seam is no part of
+    // the film, unless the flow squeezes it.
     bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
         return work_.options.opening == Opening::squeezed
                    ? is_squeezed(work_, candidates_, {chord.sheet, chord.ray.opposite})
@@ -148,9 +149,9 @@ private:
         return region;
     }
 
-    // Both sheets on one outline of the film: it falls into two pieces. On two: they become one. If
-    // the region is all of one of the pieces, or that is the rest of a film that has opened before,
-    // nothing falls apart.
+    // If both sheets are on one outline of the film, the film splits into two pieces; if they are
+    // on two outlines, these become one. It does not split if the region contains all of one of the
+    // pieces, or if that piece is the rest of a film that has opened before.
     EventKind kind_of(const Chord<Real>& film, const FilmRegion<Real>& region) const {
         Side ahead;
         Side behind;
@@ -194,7 +195,7 @@ private:
         Real doubled = 0; ///< area; negative if the film is outside
         Real perimeter = 0;
         bool on_seam = false;
-        bool is_left = false; ///< the region does not hold all of it
+        bool is_left = false; ///< the region does not contain all of it
     };
 
     // The mean thickness of a long piece is its area over half its outline.
@@ -207,7 +208,7 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     std::span<const Candidate> candidates_;
-    std::vector<Chord<Real>> chords_; ///< of the place that is visited
+    std::vector<Chord<Real>> chords_; ///< of the thin place that is visited
     std::vector<Chord<Real>> seams_;  ///< of these: beside a seam
 };
 

@@ -34,7 +34,7 @@ public:
         }
     }
 
-    // The end of a curve moves from the corner along the domain boundary beside sector k.
+    // Moves the end of a curve from the corner along the domain boundary, beside sector k.
     void pass_corner(Phase lost) {
         if (is_single_in_corner()) {
             const std::size_t k = sectors_[0].phase == lost ? 0 : 1;
@@ -105,8 +105,8 @@ private:
                    : never;
     }
 
-    // Of four sectors, opposite ones leave together. So do the two beside the domain boundary if
-    // there are three, which are four with their mirror images.
+    // Opposite sectors of four leave the vertex together. So do the two sectors beside the domain
+    // boundary if there are three, because they are four with their mirror images.
     [[nodiscard]] std::size_t partner(std::size_t k) const {
         const std::size_t n = sectors_.size();
         if (sectors_.is_on_boundary) {
@@ -184,7 +184,7 @@ private:
     Vertex v_;
     Real length_;
     Sectors<Real> sectors_;
-    std::vector<double> gains_; ///< per length that the junction moves
+    std::vector<double> gains_; ///< change of energy per length that the junction moves
 };
 
 } // namespace

@@ -45,7 +45,7 @@ public:
 
     void run(std::span<const Candidate> candidates) {
         std::vector<Vertex> list;
-        // A sharp turn between two edges becomes a junction only where something has changed.
+        // A sharp turn between two edges can become a junction only if something has changed there.
         const bool is_changed = !work_.touched.empty();
         for (const auto& candidate : candidates) {
             if ((is_changed ? candidate.is_sharp : candidate.is_junction) &&
@@ -86,8 +86,8 @@ private:
         return true;
     }
 
-    // If the merge fails, vertices may still have been removed to make room: then the sectors at v
-    // are found again, in the same order.
+    // If the merge fails, vertices may still have been removed to make room; the sectors at v are
+    // then found again, in the same order.
     Vertex merge_ends_of_here(Vertex v, Vertex w, bool either) {
         const std::uint32_t size = complex_.triangle_count();
         const Vertex left = merge_ends(work_, v, w, either);
@@ -107,7 +107,7 @@ private:
     // --- inside the domain --------------------------------------------------------------------
     void perform_t1(Vertex v) {
         for (std::size_t i = 0; i < 3; ++i) {
-            const Corner at = here_[i].first; // its ray leads to the next corner
+            const Corner at = here_[i].first; // the ray leads to the next corner of the domain
             const Vertex w{complex_.vertex(next(at))};
             if (!is_short(v, w)) {
                 continue;
@@ -121,8 +121,9 @@ private:
         }
     }
 
-    // Sector i lies to the left of the edge from v to w, sector i - 1 to its right, the third one
-    // beyond v; at w the two swap sides. Beyond w lies the one that is neither.
+    // The four sectors at the edge from v to w: sector i lies to its left, sector i - 1 to its
+    // right, the third one beyond v. The fourth, beyond w, is the sector of w that is neither left
+    // nor right; seen from w the two swap sides.
     bool wants_t1(std::size_t i) const {
         const Sector<Real>& left = here_[i];
         const Sector<Real>& right = here_.before(i);
@@ -138,8 +139,8 @@ private:
             !may(right.phase, far.phase)) {
             return false;
         }
-        // Rays at v: the one between left and near, and the one between near and right; at w the
-        // one between right and far, and the one between far and left.
+        // Rays at v: between the sectors left and near, and between near and right. Rays at w:
+        // between right and far, and between far and left.
         const double left_angle = angle_between(there_.before(k).ray, near.ray);
         const double right_angle = angle_between(right.ray, far.ray);
         const double as_it_is =
@@ -156,8 +157,8 @@ private:
 
     // --- at the domain boundary --------------------------------------------------------------
 
-    // The edge of ray i leads to the domain boundary, where the sectors on its two sides are; the
-    // third one is to reach the domain boundary between them.
+    // The edge of ray i leads to the domain boundary and to the sectors on its two sides; the third
+    // sector must reach the domain boundary between these two.
     bool wants_to_boundary(std::size_t i) const {
         const Sector<Real>& first = here_[i];
         const Sector<Real>& last = here_.before(i);
@@ -217,8 +218,8 @@ private:
         return c;
     }
 
-    // `one` comes first on the domain boundary, counter-clockwise: its second sector and the first
-    // one of `other` are the same, the one that would leave the domain boundary.
+    // `one` is the first end on the domain boundary, counter-clockwise. Its second sector is the
+    // first sector of `other`, and would leave the domain boundary.
     bool wants_off_boundary(const Sectors<Real>& one, const Sectors<Real>& other) const {
         const Sector<Real>& before = one[0];
         const Sector<Real>& between = other[0];
@@ -248,7 +249,7 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
     Junctions<Real>(work).run(candidates);
 }
 
-// A split touches other vertices, which may have to be split as well.
+// A split changes other vertices, which may then have to be split as well.
 template <class Real>
 void split_touched(TopologyWork<Real>& work) {
     for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {

@@ -4,12 +4,11 @@
 // junctions whose common edge has shrunk away become such a vertex, and exchange their neighbours
 // when it splits again (the T1 of foams and grains).
 //
-// The domain boundary is a mirror, and the same happens there: two curves whose ends meet on the
-// domain boundary leave it as one, and a junction that reaches the domain boundary becomes the ends
-// of two curves. Corners of the domain do not move, and neither does a curve that ends in one,
-// until it lies along a side of the domain. So the end of a curve that comes close to a corner is
-// moved past it if that makes the curve shorter, as in convex corners. In a reentrant corner it may
-// stay.
+// The domain boundary acts as a mirror: two curves whose ends meet on it leave it as one curve, and
+// a junction that reaches it becomes the ends of two curves. Corners of the domain do not move, and
+// neither does the end of a curve in a corner, until the curve lies along a side of the domain.
+// Therefore the end of a curve that comes close to a corner is moved past it if that makes the
+// curve shorter, as at convex corners. In a reentrant corner it may stay.
 #pragma once
 
 #include "topology/candidates.h"

@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    // Opposite to the edge, with either of its half-edges.
+    // The two vertices opposite to the edge, one for each of its half-edges.
     Corner edge_between() const {
         const Corner c = find_corner(complex_, v_, [&](Corner at) {
             return complex_.vertex(next(at)) == w_.id || complex_.vertex(prev(at)) == w_.id;
@@ -57,8 +57,8 @@ private:
                                                    : rewire::Vanishing::prev;
     }
 
-    // The worst squared quality of the triangles that `gone` leaves to `kept`; 0 or less if the
-    // collapse is not legal.
+    // The worst squared quality of the triangles of `gone` after its collapse into `kept`; 0 or
+    // less if the collapse is not legal.
     Real quality_after(Vertex gone, Vertex kept) const {
         const Corner edge = edge_between();
         if (edge_collapse_guard(complex_, submesh_.region, edge, end_of(edge, gone),
@@ -71,8 +71,8 @@ private:
         return worst;
     }
 
-    // Squared, of the triangle of a corner with another vertex there; 1 if that is one of the
-    // others.
+    // The squared quality of a triangle after the vertex at this corner is replaced by another; 1
+    // if that is a vertex of the triangle already.
     Real quality_with(Corner c, Vertex other) const {
         const std::uint32_t a = complex_.vertex(next(c));
         const std::uint32_t b = complex_.vertex(prev(c));
@@ -85,8 +85,8 @@ private:
     }
 
     // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
-    // triangle, or a neighbour of both ends. If the edge cannot be collapsed yet, also at the price
-    // of poor triangles.
+    // triangle, or a neighbour of both ends. Accepts poor triangles if the edge cannot be collapsed
+    // otherwise.
     bool make_room(bool either, Real quality_so_far) {
         const Real least = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
         for (const bool is_first : {true, false}) {
@@ -115,13 +115,13 @@ private:
         return false;
     }
 
-    // The curves that end at the junction sweep area as it moves: each the triangle between its
-    // first edge before and after.
+    // As the junction moves, each curve that ends there sweeps the triangle between its old and its
+    // new first edge.
     void note_sweep(Vertex gone, Vertex kept) {
         const Point<Real> from = complex_.position(gone);
         const Point<Real> way = complex_.position(kept) - from;
         for_each_corner(complex_, gone, [&](Corner c) {
-            const Corner edge = prev(c); // leaves the vertex, with the triangle on its left
+            const Corner edge = prev(c); // starts at the vertex, with the triangle on its left
             const Vertex end{complex_.vertex(next(c))};
             if (end == kept || !is_sheet(complex_, edge)) {
                 return;

@@ -6,15 +6,15 @@
 
 namespace dsc {
 
-/// Collapses the edge between two vertices and returns the one that survives, at its place: `w`, or
-/// also `v` if `either`, whichever leaves the better triangles. Vertices inside a phase that would
-/// leave flat triangles are removed first. Returns no vertex if the triangles about the edge
+/// Collapses the edge between two vertices into one of them, which keeps its position, and returns
+/// it: `w`, or with `either` the one that leaves the better triangles. Vertices inside a phase that
+/// would leave flat triangles are removed first. Returns no vertex if the triangles about the edge
 /// prevent the collapse. O(degree), a few times.
 template <class Real>
 [[nodiscard]] Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either);
 
 /// Collapses a vertex inside a phase into the neighbour that leaves the best triangles. Returns
-/// false if none leaves a quality, squared, of more than `least`. O(degree squared).
+/// false if no collapse leaves a squared quality above `least`. O(degree squared).
 template <class Real>
 bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least);
 

@@ -122,7 +122,8 @@ private:
         return best;
     }
 
-    // How far in this direction, of length 1, all edges of the link are on the left.
+    // The largest distance in this unit direction at which all edges of the link are still on the
+    // left.
     Real room(const Point<Real>& way) const {
         Real least = std::numeric_limits<Real>::max();
         for (std::size_t i = 0; i + 1 < link_.size(); ++i) {
@@ -136,7 +137,7 @@ private:
         return least;
     }
 
-    // Its other end becomes the new vertex.
+    // The other end of the edge becomes the new vertex.
     bool flip_incident_edge(std::size_t i) {
         const Corner c = corner_to(link_[i]);
         return c != no_id && edge_flip(submesh_, prev(c)) == Verdict::legal;

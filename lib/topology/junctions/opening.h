@@ -9,9 +9,10 @@
 
 namespace dsc {
 
-/// Leaves two triangles of the sector at `v`, on either side of an edge to a new vertex, which is
-/// at most `length` away. Returns the corner at `v` of the first; no_id if the sector is too wide,
-/// or its only triangle ends at an oblique side, on which no midpoint lies. O(degree squared).
+/// Leaves two triangles of the sector at `v`, one on either side of an edge to a new vertex, which
+/// is at most `length` away. Returns the corner at `v` of the first; no_id if the sector is too
+/// wide, or its only triangle ends at an oblique side, on which no midpoint lies. O(degree
+/// squared).
 template <class Real>
 [[nodiscard]] Corner open_inside(Complex<Real>& complex, Vertex v, const Sector<Real>& sector,
                                  Real length);

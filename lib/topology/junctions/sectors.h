@@ -15,9 +15,9 @@ namespace dsc {
 template <class Real>
 struct Sector {
     Phase phase;
-    Corner first;      ///< at the vertex, in its first triangle
+    Corner first;      ///< at the vertex, in the sector's first triangle
     std::size_t count; ///< of its triangles, counter-clockwise
-    Point<Real> ray;   ///< unit direction of the edge that it begins with
+    Point<Real> ray;   ///< unit direction of the sector's first edge
     double angle = 0;  ///< radians
 };
 
@@ -39,8 +39,8 @@ struct Sectors {
     [[nodiscard]] bool is_beside_boundary(std::size_t k) const {
         return is_on_boundary && (k == 0 || k + 1 == size());
     }
-    /// A vertex with more sectors than this is split: three curves may meet inside the domain, and
-    /// one may end at its boundary.
+    /// The largest stable number of sectors; vertices with more are split. Three curves may meet
+    /// inside the domain, and one may end on its boundary.
     [[nodiscard]] std::size_t stable() const { return is_on_boundary ? 2 : 3; }
 };
 
@@ -49,13 +49,14 @@ struct Sectors {
 template <class Real>
 void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors);
 
-/// Whether the vertex has more sectors than are stable, or a curve that may end in a corner, or an
-/// edge along the interface, or along the domain boundary from the end of a curve, that is shorter
-/// than `shortest`. For most vertices this is false, and cheaper than the sectors. O(degree).
+/// Whether the vertex may have to change: it has more sectors than are stable, or a curve that may
+/// end in a corner, or an edge shorter than `shortest` along the interface, or along the domain
+/// boundary from the end of a curve. Cheaper than finding the sectors, and false for most vertices.
+/// O(degree).
 template <class Real>
 [[nodiscard]] bool may_split(const Complex<Real>& complex, Vertex v, Real shortest);
 
-/// Counter-clockwise from one direction to another: above 0, up to 2 pi.
+/// The angle counter-clockwise from one direction to another: above 0, up to 2 pi.
 template <class Real>
 [[nodiscard]] double angle_between(const Point<Real>& from, const Point<Real>& to);
 
