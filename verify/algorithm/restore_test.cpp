@@ -139,7 +139,7 @@ TEST(RestoreOfAComplex, RefusesCountsThatDisagree) {
     });
 }
 
-// Nobody has taken them yet.
+// The stage's events have not been taken yet.
 TEST(RestoreOfAStage, BringsItsEventsBack) {
     const auto make = [](Complex<double>& complex) {
         const std::vector<Shape> shapes{{test::circle_points({0.35, 0.5}, 0.12, 40), 1},

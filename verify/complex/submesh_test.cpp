@@ -37,7 +37,7 @@ Complex<double> divided(Dice& dice, bool patches) {
 
 struct DrawnRegion {
     Region region;
-    PlaceColour places;                ///< what the region points to
+    PlaceColour places;                ///< data to which the region points
     std::vector<std::uint32_t> labels; ///< the same
 };
 

@@ -128,7 +128,7 @@ TEST(Checkpoints3, GoOnToTheSameBits) {
     auto& number = two.attributes.add<Vertex>("number", 1.5);
     two.attributes.add<Tet>("tag", std::uint32_t{7});
     Simulation second(two, {.edge_length = h});
-    second.step(swirl, 0, 0.1); // what is read takes the place of all that was
+    second.step(swirl, 0, 0.1); // the archive replaces the whole state
     dsc::Archive again(saved.bytes(), "saved");
     second.archive(again);
     again.expect_end();

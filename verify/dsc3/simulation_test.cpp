@@ -45,7 +45,7 @@ TEST(Initial3, ABallIsExactAtItsVertices) {
         EXPECT_GE(mesh_quality(complex).min_dihedral, 15);
         Simulation simulation(complex, {.edge_length = h});
         EXPECT_LT(farthest(complex, simulation, centre), 0.02 * h);
-        // The chords: of second order.
+        // The error of the chords is of second order.
         const double exact = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
         const double missing = 1 - phase_volume(complex, 1) / exact;
         EXPECT_GT(missing, 0);

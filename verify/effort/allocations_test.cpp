@@ -69,7 +69,7 @@ const Velocity<double> back_and_forth = [](auto positions, double time, auto vel
     }
 };
 
-// Of the last period.
+// Counts over the last period.
 struct Counted {
     std::uint64_t allocations = 0;
     int allocating_steps = 0;

@@ -22,7 +22,7 @@ TEST(JohnsonMehl, TheWrongAreaOfDiscsThatHaveNotGrownIsWhatTheyWouldGain) {
     };
     for (const double time : {0.005, 0.1}) { // before they meet
         const DiagramError distance = diagram_error(complex, discs, time);
-        const double polygons = 1e-4; // what inscribed polygons lack
+        const double polygons = 1e-4; // the area that inscribed polygons lack
         EXPECT_NEAR(distance.wrong_area, ring(0, time) + ring(1, time), 2 * polygons);
         EXPECT_NEAR(distance.phase_error, ring(0, time), polygons);
     }

@@ -33,7 +33,7 @@ namespace dsc::fuzz {
 
 namespace {
 
-// A file of this process.
+// A temporary file that only this process uses.
 const std::filesystem::path& scratch() {
     static const auto path =
         std::filesystem::temp_directory_path() / ("dsc_fuzz_" + std::to_string(getpid()));

@@ -65,7 +65,7 @@ struct Check {
 /// The check of a figure of result files, for [limits] of scene files.
 [[nodiscard]] std::shared_ptr<const Check> check_of_figure(const std::string& figure,
                                                            const std::string& name, bool at_least);
-/// The same in three dimensions.
+/// The check of a figure in three dimensions.
 [[nodiscard]] std::shared_ptr<const Check> check_in_space(const std::string& figure,
                                                           const std::string& name, bool at_least);
 

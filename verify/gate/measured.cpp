@@ -90,7 +90,7 @@ std::string why_not(const Check& check, const Case& of) {
     if (check.group == "fluid" && !setup.fluid) {
         return "the scene has no fluid";
     }
-    const bool is_ours = of.path.empty(); // which know their shape half-way
+    const bool is_ours = of.path.empty(); // scenes of the catalogue know their shape half-way
     for (const std::string& figure : check.figures) {
         std::string reason = scenes::why_missing(figure, setup, is_ours);
         if (!reason.empty()) {

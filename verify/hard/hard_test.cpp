@@ -11,7 +11,7 @@
 
 namespace dsc::hard {
 
-/// What CTest calls a case.
+/// The name of a case in CTest.
 inline void PrintTo(const HardCase& one, std::ostream* out) { *out << one.name; }
 
 } // namespace dsc::hard

@@ -21,7 +21,7 @@ struct Case {
     std::string name;
     CurveScenery scenery;
     std::map<Phase, double> areas; // exact, or empty
-    double smallest_angle;         // what the angles of the input allow, with some room
+    double smallest_angle;         // bound that the angles of the input allow
 };
 
 std::vector<Point<double>> arc(const Point<double>& centre, double radius, double from, double to,

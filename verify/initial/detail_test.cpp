@@ -201,7 +201,7 @@ TEST(InitialDetail, ShapesBelowTheEdgeLengthAreDropped) {
     EXPECT_EQ(report.dropped, 3U);
     EXPECT_NEAR(report.area_dropped, 0.25 * h * h, 1e-10);
     EXPECT_NEAR(phase_area(complex, 1), 0.04, 1e-12);
-    // Thin, but not small.
+    // A shape that is thin, but not small.
     const Shape thin{{{0.2, 0.5}, {0.8, 0.5}, {0.8, 0.5 + 0.1 * h}, {0.2, 0.5 + 0.1 * h}}, 1};
     EXPECT_NEAR(phase_area(thinned<Shape>({thin}).complex, 1), 0.06 * h, 1e-12);
 }

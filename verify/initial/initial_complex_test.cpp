@@ -65,7 +65,7 @@ Scenery moved(Scenery scenery, double x, double y) {
 struct Case {
     std::string name;
     Scenery scenery;
-    double worst_quality; // what the angles of the input allow, with some room
+    double worst_quality; // bound that the angles of the input allow
 };
 
 std::vector<Case> cases() {

@@ -95,7 +95,7 @@ TYPED_TEST(Interpolation, IsTheMidpointBetweenTwoCorners) {
     CurveNeighbours<Real> n;
     n.p1 = {Real(0.25), Real(1)};
     n.p2 = {Real(0.75), Real(3)};
-    // Not to be read.
+    // Must not be read.
     n.p0 = n.p3 = Point<Real>::Constant(std::numeric_limits<Real>::quiet_NaN());
     for (const auto insertion : {Insertion::linear, Insertion::cubic}) {
         const Point<Real> point = insertion_point(insertion, n);

@@ -93,7 +93,7 @@ struct Change {
     Edge split{};
     double share = 0;
     Vertex gone{}, kept{};   // of a collapse
-    bool is_polygon = false; // that was triangulated anew
+    bool is_polygon = false; // a polygon was retriangulated
 };
 
 constexpr double edge_default = -1;

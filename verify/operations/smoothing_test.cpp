@@ -140,7 +140,7 @@ TYPED_TEST(Smoothing, SlideIsRefused) {
     // A junction: one triangle of a third phase.
     K.set_phase(Triangle{triangle_of(K.vertices[18].corner)}, 7);
     expect_refused(K, Verdict::on_interface, slide(18));
-    // Away from the interface.
+    // A vertex away from the interface.
     auto G = grid<TypeParam>(4);
     expect_refused(G, Verdict::on_interface, slide(12));
 }

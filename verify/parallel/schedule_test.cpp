@@ -237,13 +237,13 @@ TEST(Schedule, ThrowsOnWhatATaskThrewAndRunsAllButThoseThatWaitForIt) {
                     }
                     is_lost[task] = waits_for_lost ? 1 : is_lost[task];
                     kept_from_running += waits_for_lost ? 1 : 0;
-                    // Whatever the threads.
+                    // The set of tasks that run does not depend on the threads.
                     EXPECT_EQ(record.runs(task), waits_for_lost ? 0 : 1) << "task " << task;
                     if (record.runs(task) == 1 && is_faulty[task] != 0) {
                         EXPECT_GE(task, thrown) << "the first one is to come out";
                     }
                 }
-                // As if nothing had failed.
+                // The schedule works again after a failure.
                 Record again(schedule.tasks);
                 schedule.run(pool, threads, assignment, [&](std::size_t task) { again.run(task); });
                 again.expect_all_once();

@@ -65,7 +65,7 @@ public:
         }
     }
     [[nodiscard]] std::size_t added() const { return added_; }
-    // Starts anew.
+    // Returns the number of vertices still waiting, and clears the list.
     std::size_t take_forgotten(const Complex<double>& complex) {
         const auto count = std::ranges::count_if(
             waiting_, [&](const auto& one) { return complex.is_alive(Vertex{one.first}); });

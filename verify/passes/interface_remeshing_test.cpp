@@ -255,7 +255,7 @@ TEST(Sizes, KnowNoGapToTheSameSheet) {
     EXPECT_GT(cut, 0U);
 }
 
-// By default.
+// The default of `feature_degrees`.
 TEST(Corners, AreTurnsOfMoreThanFortyDegrees) {
     for (const double turn : {39.9, 40.1}) {
         const double high = 0.2 * std::tan(turn / 2 * std::numbers::pi / 180);

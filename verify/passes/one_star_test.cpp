@@ -209,7 +209,7 @@ TEST(KeptStars, AreReadUntilTheyChange) {
         EXPECT_EQ(work.star.x_next[i], walked.x_next[i]);
         EXPECT_EQ(work.star.y_next[i], walked.y_next[i]);
     }
-    // Its link reaches from 1 to 3.
+    // The link of the vertex reaches from 1 to 3.
     for (const auto kind : {Region::Kind::upright, Region::Kind::box}) {
         for (const auto& [low, high, owned] :
              {std::tuple(1.0, 3.5, true), {1.01, 3.5, false}, {1.0, 3.0, false}}) {

@@ -67,7 +67,7 @@ bool runs(const Scene& scene, Strategy strategy, RealType real) {
             !setup.sees_interface() && setup.advected.empty() && scene.defaults.grade == 0);
 }
 
-// By scene and strategy.
+// The hashes of a scene and strategy.
 using Row = std::array<std::string, 4>;
 using Table = std::map<std::pair<std::string, std::string>, Row>;
 
@@ -79,7 +79,7 @@ Table read_table(const char* path) {
     Table table;
     std::ifstream file(path);
     std::string line;
-    std::getline(file, line); // what the columns are
+    std::getline(file, line); // the heading of the columns
     while (std::getline(file, line)) {
         std::istringstream words(line);
         std::string scene;

@@ -79,7 +79,7 @@ TEST_P(GradedMesh, TargetsAreThoseOfTheMeshAsItIs) {
     };
     run_steps(*simulation, swirl, 150);
     run_steps(*simulation, back, 150);
-    run_steps(*simulation, test::constant<double>(1e-9, 0), 40); // what was under way arrives
+    run_steps(*simulation, test::constant<double>(1e-9, 0), 40); // changes under way must arrive
     const std::vector<VertexSize<double>> kept = size_field(complex).data();
     SizeOptions<double> sizes = graded().sizes;
     sizes.longest = extent_of(complex);

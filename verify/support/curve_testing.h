@@ -38,7 +38,7 @@ std::map<Phase, double> areas_by_phase(const Complex<Real>& complex) {
     return {sums.begin(), sums.end()};
 }
 
-/// In degrees.
+/// The smallest angle of all triangles, in degrees.
 template <class Real>
 double smallest_angle(const Complex<Real>& complex) {
     double smallest = 60;

@@ -28,7 +28,7 @@ Velocity<Real> pointwise(Field field) {
     };
 }
 
-/// The same velocity everywhere.
+/// A constant velocity.
 template <class Real = double>
 Velocity<Real> constant(double x, double y) {
     return pointwise<Real>([=](const Point<double>&) { return Point<double>(x, y); });

@@ -68,7 +68,7 @@ struct NamedPartitioner {
     std::function<std::unique_ptr<Partitioner<double>>()> make;
 };
 
-// Into small submeshes.
+// Partitioners that divide into small submeshes.
 inline std::vector<NamedPartitioner> ways_to_divide(std::uint32_t recut) {
     return {
         {"slabs",

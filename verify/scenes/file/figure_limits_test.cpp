@@ -12,7 +12,7 @@
 namespace dsc::scenes::figure_limits_test {
 namespace {
 
-/// Lines 1 to 4 of what follows.
+/// Lines 1 to 4 of the scene files below.
 const std::string few_steps = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
 const std::string advected = "[flow]\nu = '1'\nv = '0'\n[exact]\nadvected = true\n"
                              "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";

@@ -16,7 +16,7 @@
 namespace dsc::scenes::scene_file_test {
 namespace {
 
-/// Lines 1 to 4 of what follows.
+/// Lines 1 to 4 of the scene files below.
 const std::string options = "[options]\nh = 0.1\ndt = 0.01\nsteps = 2\n";
 const std::string disc = "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n";
 
