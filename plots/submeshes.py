@@ -30,7 +30,7 @@ SIDE = 3.5         # inches of a panel
 
 @dataclass
 class Division:
-    """A mesh and how it was divided."""
+    """A mesh and its division into submeshes."""
 
     scene: str
     strategy: str

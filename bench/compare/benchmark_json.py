@@ -14,7 +14,7 @@ def entries(name, times_us):
 
 def replace(path, data):
     """Writes JSON atomically."""
-    part = f"{path}.{os.getpid()}.part"  # differs from that of other comparisons
+    part = f"{path}.{os.getpid()}.part"  # a name of this process: comparisons may run at the same time
     with open(part, "w", encoding="utf-8") as stream:
         json.dump(data, stream, indent=1)
         stream.write("\n")

@@ -37,7 +37,7 @@ def run(program, scene):
         path, out = os.path.join(folder, "scene.toml"), os.path.join(folder, "result.json")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(scene)
-        # 1: the run broke an invariant, which is checked by other tests.
+        # Exit code 1 means that the run broke an invariant, which other tests check.
         cpu = timed([program, "run", path, "--json", out], allowed=(0, 1))
         if not os.path.exists(out):
             raise RuntimeError(f"{program} has written no result")

@@ -24,7 +24,7 @@ const std::vector<Flow>& precision_flows() {
          .period = 8,
          .lengths = powers_and_last,
          .last_by_few = true},
-        // 2 x 260 and 2 x 420 steps at h = 0.01.
+        // The swirl for two periods: 260 and 420 steps each way at h = 0.01.
         {.name = "swirl-260",
          .title = "swirl, 2 x 260",
          .scene = "swirl",

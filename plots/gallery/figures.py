@@ -30,7 +30,7 @@ class Row:
     look: str = "phases"      # phases, values (the thesis's reds) or shaded (Gouraud)
     triangles: str = ""       # the thesis's counts of triangles: an entry of the published figures
     area_ratio: str = ""      # the thesis's ratio of areas: such an entry
-    insertion: str = ""       # if a scene has its own instead of that of --set
+    insertion: str = ""       # if the scene has an insertion of its own, not that of --set
     near: tuple = ()          # a close-up of the last frame: (low x, low y, width) of a square
 
 
@@ -46,7 +46,7 @@ class Histogram:
 class Figure:
     number: str               # as in the thesis
     parts: tuple = ()         # of Row and Histogram
-    see: str = ""             # where ours are, if not in the gallery
+    see: str = ""             # where our pictures are, if not in the gallery
 
 
 VARYING = Plan("quality-varying", (SMALL, ("steps", 100)))

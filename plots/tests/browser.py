@@ -103,6 +103,6 @@ class Browser:
         self.driver.switch_to.active_element.send_keys(key)
 
     def tab(self):
-        """Moves the focus on and tells where it is."""
+        """Moves the focus to the next element and returns its position."""
         self.press(Keys.TAB)
         return self.ask(FOCUS)

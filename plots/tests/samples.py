@@ -28,7 +28,7 @@ VTU = """<?xml version="1.0"?>
 <DataArray type="UInt8" Name="types" format="ascii">5 5 5 5</DataArray></Cells>
 </Piece></UnstructuredGrid></VTKFile>
 """
-# What dsc_scene run --series writes, and its result.
+# A file of `dsc_scene run --series`, and the result of the run.
 SERIES = """step,time,triangles,phases,sd_rel,interface_length,min_angle_deg,collapses,flips,smoothed,splits,events,wall_us
 0,0,100,2,0.001,4,30,0,0,0,0,0,0
 10,0.5,110,2,0.002,4.5,25,40,20,30,10,0,1000
@@ -191,7 +191,7 @@ class Case(unittest.TestCase):
         return os.path.join(self.folder, name)
 
     def write(self, name, data):
-        """Writes bytes, a text or what becomes JSON, and returns the path."""
+        """Writes bytes, a text or data as JSON, and returns the path."""
         if not isinstance(data, bytes):
             data = (data if isinstance(data, str) else json.dumps(data)).encode("utf-8")
         os.makedirs(os.path.dirname(self.path(name)), exist_ok=True)

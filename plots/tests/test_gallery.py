@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The gallery from the thesis's facts to the page, by a program that stands in for dsc_scene."""
+"""The gallery, from the thesis's figures to the page, with a program that replaces dsc_scene."""
 import contextlib
 import html
 import io

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests of the page itself: what it says first, its verdicts, its tables, its parts."""
+"""Tests of the page itself: findings, verdicts, tables, parts."""
 import pathlib
 import re
 
@@ -55,7 +55,7 @@ class Words(Case):
 
     def test_threads_of_whole_runs_beside_the_thesis(self):
         data = bench()
-        # Warm steps, which gain more, are not what is told.
+        # The finding is about whole runs, not about warm steps, which gain more.
         self.assertIn("No whole run", findings.threads(self.read_bench(data), {}))
         for strategy, threads, between, times in (("sequential", 0, 0, [300, 310, 320]),
                                                   ("sequential", 0, 5000, [900, 900, 900]),

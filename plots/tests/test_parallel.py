@@ -29,11 +29,11 @@ class Parallel(Case):
         models = series.modelled(results)
         self.assertTrue(all(r.modelled and not r.oversubscribed for r in models))
         self.assertEqual(series.speedups(models), [], "a model is no base, and has none beside it")
-        # Of several numbers of submeshes the fastest is taken.
+        # Of several numbers of submeshes, the fastest is used.
         fastest = {r.threads: (r.median, r.submeshes) for r in models}
         self.assertEqual(fastest[8], (16, 8))
         self.assertEqual(sorted(fastest), [1, 2, 4, 8, 16])
-        # The counter alone marks them as well.
+        # The counter alone also marks rows as modelled.
         found = self.results(change=lambda row: row.update(
             {key: row[key].replace("/modelled:1", "/kind:m") for key in ("name", "run_name")}))
         self.assertEqual({r.threads for r in series.rows(found)}, {1, 2})

@@ -78,7 +78,7 @@ class Plots(Case):
             self.assertIn(sentence, page)
         self.assertNotIn("<img", page)
 
-    # Bad input; whole files that are wrong are in test_scripts.
+    # Bad input; test_scripts tests files that are wrong as a whole.
 
     def test_missing_keys_and_bad_values_are_named(self):
         for option, data, change, words in (
@@ -211,7 +211,7 @@ class Plots(Case):
                            ("swirl-t1_cells", [0])):
             self.frames(run, dict.fromkeys(steps, 1))
         runs = frames.read(self.path("frames"))
-        # Of several strategies one is drawn, at its first, middle and last frame.
+        # One of several strategies is drawn, at its first, middle and last frame.
         self.assertEqual([(*run[:2], [n for n, _, _ in run[2]]) for run in runs],
                          [("swirl", "sequential", [0, 3, 12]), ("swirl-t1", "cells", [0])])
 
@@ -240,7 +240,7 @@ class Plots(Case):
         for name in ("scaling_table_10_1", "four_circles"):
             table = load.entry(published, "speedup", name)
             for line in table["values"]:
-                # The thesis rounds, and cuts U(2) = 0.7336 and U(3) = 0.6348 to two places.
+                # The thesis rounds most figures, but truncates U(2) = 0.7336 and U(3) = 0.6348 to two places.
                 self.assertAlmostEqual(table["t_s"] / line["t_n"], line["S"], delta=0.011)
                 self.assertAlmostEqual(line["S"] / line["n"], line["U"], delta=0.011)
         for first, last, ratio in (("vortex_area_first", "vortex_area_last", "vortex_area_ratio"),

@@ -29,7 +29,7 @@ class Precision(Case):
         self.assertAlmostEqual(data.time_at(line, 1e-2), 1)
         self.assertIsNone(data.time_at(line, 2e-2))
         self.assertIsNone(data.time_at(line, 9e-5))
-        # A line that turns back passes at the least time.
+        # If a line crosses an error several times, the shortest time counts.
         errors = ((0.04, 1e-2, 1), (0.02, 1e-3, 10), (0.01, 1e-2, 100))
         line = self.lines(*(precision_run("swirl-260", "default", *e) for e in errors))["default"]
         self.assertAlmostEqual(data.time_at(line, 10 ** -2.5), 10 ** 0.5)
@@ -92,7 +92,7 @@ class Precision(Case):
                       f"takes {mine * 1e3:.1f} ms, {67.8 / mine:.0f} times less", text)
         slow = precision.plain(lines, [data.Peer("other", points=[(1e-3, 0.1)])])
         self.assertIn("the default takes 1.00 s, 10 times as much", slow)
-        # What others print is not compared in time.
+        # Published times are not compared with ours.
         printed = precision.plain(lines, [data.Peer("other", False, [(1e-3, 0.1)])])
         self.assertIn("with edges of length 0.005 the default errs by 2.50e-4 after 4.00 s", printed)
         self.assertIn("was not run", precision.plain({"euler": lines["euler"]}, []))

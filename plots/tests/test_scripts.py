@@ -206,7 +206,7 @@ class Scripts(Case):
                 self.assert_refused(["--published", os.path.dirname(path)], "peers.json")
 
     def test_a_machine_with_matplotlib_alone(self):
-        """No frame can be read without meshio, and that is said."""
+        """Without meshio frames cannot be read, and the message says so."""
         for missing, program, words in (("meshio", "flow", self.bubbles()[1]),
                                         ("matplotlib", "speedup", ["x.json"])):
             done = subprocess.run(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The judgement of speed: limits, verdicts, counts, and what is told."""
+"""The judgement of speed: limits, verdicts, counts, and messages."""
 import json
 import math
 import os
@@ -45,7 +45,7 @@ class Times(unittest.TestCase):
             self.assertEqual(judgement.Ratio(value, low, high).verdict, expected, (value, low, high))
 
     def test_the_load_of_the_machine_leaves_the_ratio_of_pairs_alone(self):
-        """Twice as slow from the middle on, and the new one by 4 %."""
+        """From the middle on the machine is half as fast; the new program is slower by 4 %."""
         pairs = [(time, 1.04 * time) for time in [1000.0] * 15 + [2000.0] * 15]
         ratio = judgement.median_ratio(pairs)
         for value in (ratio.value, ratio.low, ratio.high):
@@ -92,7 +92,7 @@ class Procedure(unittest.TestCase):
         self.assertEqual(self.measure({"wild": wild}, 50, 0)["wild"].count, timing.AT_ONCE)
 
     def test_which_comes_first_is_drawn(self):
-        """Where the second of two is always slower, it is the new one half of the time."""
+        """If the second run of each pair is always slower, it is the new program's in half of the pairs."""
         order = []
         runs = {"run": (lambda: order.append(0) or {"time": 1.0 + len(order) % 2},
                         lambda: order.append(1) or {"time": 1.0 + len(order) % 2})}
@@ -132,7 +132,7 @@ class WhatIsCounted(unittest.TestCase):
     workload = workloads.ALL[0]
 
     def counted(self, programs, known):
-        """Of programs of which only the `known` have the function of a step."""
+        """Counts of two programs, of which only those in `known` have the function of a step."""
         def counts_of(program, _, within):
             if within and program not in known:
                 raise callgrind.NotCalled(program)
