@@ -37,7 +37,7 @@ public:
     void operator()(Values&... values) {
         (visit(values), ...);
     }
-    /// An enum or a number from 0 to count - 1.
+    /// Archives an enum, or a number from 0 to count - 1.
     template <class Choice>
     void choice(Choice& value, std::uint32_t count) {
         auto number = static_cast<std::uint32_t>(value);
@@ -45,7 +45,7 @@ public:
         expect(number < count, "number outside its enum");
         value = static_cast<Choice>(number);
     }
-    /// Records without padding, as they lie in memory. O(list), and fast.
+    /// Archives records without padding, as they are in memory. O(list), and fast.
     template <class Record>
     void records(std::vector<Record>& list) {
         static_assert(std::is_trivially_copyable_v<Record>);
@@ -60,7 +60,7 @@ public:
     /// Writes `size`, the length of a list, or reads a length and returns it. Each entry takes at
     /// least `least` bytes: a length that the rest of the bytes cannot hold is refused.
     [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
-    /// `size` bytes, as they lie in memory.
+    /// Archives `size` bytes, as they are in memory.
     void raw(void* data, std::size_t size);
 
     /// Throws FileError with this problem unless the condition holds.
@@ -90,8 +90,8 @@ private:
     bool is_reading_ = false;
 };
 
-/// Calls `transfer(archive)`. If it throws while reading, the values are restored to what they
-/// were, from a backup in memory, and the exception is passed on.
+/// Calls `transfer(archive)`. Archives values; if that throws while reading, they are restored from
+/// a backup in memory, and the exception is passed on.
 template <class Transfer>
 void as_a_whole(Archive& archive, const Transfer& transfer) {
     Archive before;

@@ -46,7 +46,7 @@ private:
     Fields fields_;
 };
 
-/// The file system refused: an unwritable folder, a full disk, an unreadable or truncated file.
+/// An error of the file system: an unwritable folder, a full disk, an unreadable or truncated file.
 class FileError : public std::runtime_error {
 public:
     /// `error` is the value of errno, whose text is appended, or 0.

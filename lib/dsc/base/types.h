@@ -57,7 +57,7 @@ constexpr bool is_interface_pair(Phase one, Phase other) {
 }
 
 /// A corner is 4 * triangle + 0, 1 or 2. It names a vertex of a triangle, the edge opposite to it,
-/// and the half-edge of that edge inside the triangle, so no index ever has to be searched for.
+/// and the half-edge of that edge inside the triangle, so no index has to be searched.
 using Corner = std::uint32_t;
 
 /// Triangle 0 is the border: it stands in for a missing neighbour. Its phase differs from all
@@ -88,7 +88,7 @@ constexpr Corner prev(Corner corner) { return index_of(corner) == 0 ? corner + 2
 /// Whether a corner belongs to the border: there is no neighbour.
 constexpr bool is_border(Corner corner) { return corner < 4; }
 
-/// A base class: its objects are neither copied nor moved, because others refer to them.
+/// A base class of objects that are neither copied nor moved, because others refer to them.
 struct Unmovable {
     Unmovable() = default;
     Unmovable(const Unmovable&) = delete;

@@ -56,8 +56,9 @@ inline constexpr SimplexKind kind_of = HandleKind<Simplex>::value;
 
 /// What happens to a field's value at a vertex that moves with the interface.
 enum class OnInterface : std::uint8_t {
-    sampled,  ///< the vertex takes the value of its new place, as everywhere
-    advected, ///< the vertex keeps its value, which matters on the interface and behind it only
+    sampled,  ///< the vertex takes the value at its new position, as everywhere else
+    advected, ///< the vertex keeps its value; for fields that matter only on the interface and
+              ///< behind it
 };
 
 /// The base class of attributes: a complex and its operations report every edit to it. Entries are
@@ -120,11 +121,11 @@ public:
     }
 
     // --- edits of triangles
-    /// `to` is new, cut off from `from`; `share` is its fraction of their total area.
+    /// The triangle `to` is new, cut off from `from`; `share` is its fraction of their total area.
     virtual void split(std::uint32_t to, std::uint32_t from, [[maybe_unused]] double share) {
         copy(to, from);
     }
-    /// `gone` vanishes; `into` is one of the triangles that take its place.
+    /// `gone` vanishes; `into` is one of the triangles that replace it.
     virtual void merge([[maybe_unused]] std::uint32_t into, [[maybe_unused]] std::uint32_t gone) {}
     /// The common edge of the two triangles was flipped to the other diagonal; `share` is the
     /// fraction of `one` in their total area.
@@ -156,7 +157,7 @@ public:
 
     /// The value of a simplex, which is not checked. O(1).
     [[nodiscard]] const T& operator[](Simplex simplex) const { return data_[simplex.id]; }
-    /// The same, writable. Not for edges, which have two entries: see `set`.
+    /// The same, writable. Not available for edges, which have two entries: see `set`.
     [[nodiscard]] T& operator[](Simplex simplex) requires(!of_edges) { return data_[simplex.id]; }
     /// Writes both entries of a living edge of this complex.
     template <class AnyComplex>

@@ -25,9 +25,9 @@ public:
     AttributeFailure& operator=(const AttributeFailure& /*other*/) noexcept { return *this; }
     ~AttributeFailure() = default;
 
-    /// Keeps the exception being handled, unless another is kept already.
+    /// Stores the exception being handled, unless one is stored already.
     void note() noexcept;
-    /// Throws the exception kept, if any, and drops it. O(1).
+    /// Throws the stored exception, if any, and clears it. O(1).
     void rethrow() {
         if (is_there_.load(std::memory_order_relaxed)) [[unlikely]] {
             throw_kept();
@@ -98,14 +98,14 @@ public:
 
     /// Whether there are no attributes.
     [[nodiscard]] bool empty() const { return list_.empty(); }
-    /// Whether there are none of that kind.
+    /// Whether there is no attribute of that kind.
     [[nodiscard]] bool empty(SimplexKind kind) const { return counts_[index(kind)] == 0; }
     /// Whether an attribute of the vertices is a field (`AttributeBase::is_field`). O(attributes).
     [[nodiscard]] bool has_fields() const;
     /// All attributes, in the order in which they were added.
     [[nodiscard]] const std::vector<std::unique_ptr<AttributeBase>>& list() const { return list_; }
 
-    /// How many entries an attribute of that kind has where ids are below these bounds.
+    /// The number of entries of an attribute of that kind, for ids below these bounds.
     [[nodiscard]] static std::size_t entries(SimplexKind kind, std::size_t vertex_bound,
                                              std::size_t triangle_bound) {
         return kind == SimplexKind::vertex ? vertex_bound
@@ -159,7 +159,7 @@ public:
     void split_triangle(std::uint32_t to, std::uint32_t from, Share share) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.split(to, from, share()); });
     }
-    /// Triangle `gone` vanishes, and `into` takes its place.
+    /// Triangle `gone` vanishes and is replaced by `into`.
     void merge_triangle(std::uint32_t into, std::uint32_t gone) {
         tell(SimplexKind::triangle, [&](AttributeBase& each) { each.merge(into, gone); });
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stars that the interface remeshing keeps for the movement. Unless an edit has changed it since,
+// Stars that the interface remeshing caches for the movement. Unless an edit has changed it since,
 // such a star is gathered again without a walk from triangle to triangle, and its neighbours on the
 // interface are known.
 #pragma once
@@ -21,10 +21,10 @@ struct CachedStar {
 
     std::uint32_t vertex = no_id; ///< the centre
     std::uint32_t size = 0;       ///< triangles of the star
-    std::uint32_t stamp = 0;      ///< of the centre, at that time
+    std::uint32_t stamp = 0;      ///< stamp of the centre, when the star was cached
     IncidentEdges incident;       ///< those of the interface
-    Phase left = border_phase;    ///< of the first of these incident edges, seen from the centre
-    Phase right = border_phase;   ///< of the same one
+    Phase left = border_phase;  ///< data of the first of these incident edges, seen from the centre
+    Phase right = border_phase; ///< of the same one
     std::array<std::uint32_t, capacity> link; ///< ids; the first one repeated from `size` on
 
     /// Whether the star is unchanged: each edit of it activates its centre, which sets another
@@ -47,7 +47,7 @@ bool owns_cached(const Complex<Real>& complex, const Region& region, const Cache
 
 } // namespace detail
 
-/// A copy of a closed star that fits. O(1).
+/// Caches a closed star that fits. O(1).
 template <class Real>
 CachedStar cache_star(const Complex<Real>& complex, const Star<Real>& star,
                       const IncidentEdges& incident) {
@@ -64,7 +64,7 @@ CachedStar cache_star(const Complex<Real>& complex, const Star<Real>& star,
     return kept;
 }
 
-/// Gathers the part of a kept star that movement reads: centre, link and current coordinates, but
+/// Gathers the part of a cached star that movement reads: centre, link and current coordinates, but
 /// no corners, phases and predecessors. The region must own the centre; if it does not own the
 /// whole star, `owned` becomes false and nothing else is written. O(1).
 template <class Real>

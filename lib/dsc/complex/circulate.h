@@ -30,8 +30,8 @@ template <class Real>
     return is_border(across) ? border_corner : prev(across);
 }
 
-/// Where to start in order to visit all triangles about the vertex of `start` counter-clockwise: at
-/// a vertex of the domain boundary the corner at the clockwise end, elsewhere `start`. O(degree).
+/// The corner from which to visit all triangles about the vertex of `start` counter-clockwise: at a
+/// vertex of the domain boundary the corner at the clockwise end, elsewhere `start`. O(degree).
 template <class Real>
 [[nodiscard]] Corner first_corner(const Complex<Real>& complex, Corner start) {
     Corner first = start;
@@ -90,7 +90,7 @@ template <class Real, class Test>
     if (c == start) {
         return no_id;
     }
-    // The domain ends there: continue clockwise from the start.
+    // The domain ends here: continue clockwise from the start.
     for (c = corner_cw(complex, start); !is_border(c); c = corner_cw(complex, c)) {
         if (test(c)) {
             return c;
@@ -114,8 +114,8 @@ template <class Real, class IsEdge>
     return c;
 }
 
-/// The step in the other direction: to the previous half-edge, which ends where that of `c` begins.
-/// O(degree).
+/// The step in the other direction, to the previous half-edge, which ends where the half-edge of
+/// `c` begins. O(degree).
 template <class Real, class IsEdge>
 [[nodiscard]] Corner previous_along(const Complex<Real>& complex, Corner c, IsEdge is_edge) {
     c = prev(c);
@@ -132,7 +132,7 @@ struct StarSummary {
     bool owned = true;                 ///< every triangle of the star is in the submesh
     std::uint32_t interface_edges = 0; ///< that meet at the vertex
     std::uint32_t first = no_id;       ///< if on_boundary: the neighbour at the clockwise end
-    std::uint32_t last = no_id;        ///< and the one at the other end
+    std::uint32_t last = no_id;        ///< if on_boundary: the neighbour at the other end
 };
 
 /// Calls `visit(corner at the vertex)` for each star triangle, counter-clockwise; on the domain
@@ -159,8 +159,8 @@ template <class Real, class Visit>
 StarSummary for_each_interface_edge(const Complex<Real>& complex, std::uint32_t vertex,
                                     Visit visit) {
     return turn(complex, vertex, [&](Corner c) {
-        // Each incident edge once: the clockwise one of each triangle, and the last one of an open
-        // star.
+        // Visits each incident edge once: the clockwise one of each triangle, and the last one of
+        // an open star.
         const Corner cw = complex.twin(prev(c));
         if (is_interface_pair(complex.phase_at(c), complex.phase_at(cw))) {
             visit(complex.vertex(next(c)));

@@ -102,7 +102,7 @@ void Complex<Real>::set_phase(Triangle t, Phase phase) {
 
 namespace {
 
-// Appends a record; `resize` makes its attributes. An exception leaves both as they were.
+// Appends a record; `resize` makes its attributes. An exception leaves both arrays unchanged.
 template <class Record, class Resize>
 void append(std::vector<Record>& records, const Record& record, Resize resize) {
     records.push_back(record);
@@ -117,7 +117,7 @@ void append(std::vector<Record>& records, const Record& record, Resize resize) {
 
 } // namespace
 
-// New ids go to the front of the pool: ids are taken from its back.
+// New ids go to the front of the pool, because ids are taken from its back.
 template <class Real>
 void Complex<Real>::grow(IdPool& pool, std::size_t vertex_total, std::size_t triangle_total) {
     while (pool.vertices.size() < vertex_total) {

@@ -51,11 +51,11 @@ public:
     /// An independent copy, with attributes and free ids, but without recorded edits and without a
     /// simulation.
     Complex(const Complex&) = default;
-    /// The other one is empty afterwards, and may be used again. Terminates the program if there is
-    /// no memory for an empty complex.
+    /// Moves the other complex, which is empty afterwards and may be used again. Terminates the
+    /// program if there is no memory for an empty complex.
     Complex(Complex&& other) noexcept;
-    /// If it throws, nothing has changed. Handles and references to attributes become invalid; a
-    /// simulation of this complex continues with the new mesh.
+    /// Replaces the mesh by a copy; if that throws, nothing has changed. Handles and references to
+    /// attributes become invalid; a simulation of this complex continues with the new mesh.
     Complex& operator=(const Complex& other);
     /// The same without copying; the other one is empty afterwards.
     Complex& operator=(Complex&& other) noexcept;
@@ -73,7 +73,7 @@ public:
         return static_cast<std::uint32_t>(triangles.size());
     }
 
-    // --- what is alive ------------------------------------------------------------------------
+    // --- living simplices--------------------------------------------------------------------
     /// Whether the handle names a living vertex. O(1).
     [[nodiscard]] bool is_alive(Vertex v) const {
         return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;
@@ -143,7 +143,8 @@ public:
     }
     /// Forbids a vertex to move or vanish, or allows it. Operations answer `Verdict::locked`.
     void set_locked(Vertex v, bool locked) { set_flag(v, vertex_locked, locked); }
-    /// Whether it is a feature of the interface: it is kept, and the curve has no tangent there.
+    /// Whether the vertex is a feature of the interface: it is kept, and the curve has no tangent
+    /// there.
     [[nodiscard]] bool is_feature(Vertex v) const {
         return (vertices[v.id].flags & vertex_feature) != 0;
     }

@@ -20,12 +20,12 @@ namespace dsc {
 
 /// What an edit did.
 enum class EditKind : std::uint8_t {
-    flip,            ///< an edge became the other diagonal of its two triangles
+    flip,            ///< an edge was replaced by the other diagonal of its two triangles
     split,           ///< a new vertex on an edge
     collapse,        ///< a vertex vanished into a neighbour
     move,            ///< a vertex changed its position
     relabel,         ///< a triangle changed its phase
-    retriangulate,   ///< the triangles around one were replaced; records of what vanished follow
+    retriangulate,   ///< the triangles around one were replaced; removals follow
     insert_vertex,   ///< a vertex without triangles
     remove_vertex,   ///< a vertex that no triangle uses any more
     insert_triangle, ///< between three vertices
@@ -57,10 +57,10 @@ inline constexpr int edit_kind_count = 12;
 /// Why a vertex moved.
 enum class MoveReason : std::uint8_t {
     application, ///< an edit by the application
-    flow,        ///< towards the target that the velocity gave it
-    smoothing,   ///< for the quality of its star
+    flow,        ///< towards the target given by the velocity
+    smoothing,   ///< to improve the quality of its star
     coarsening,  ///< of the vertex that survives a triangle collapse
-    giving_back, ///< to return area that a change of topology took from a phase
+    giving_back, ///< to give back area that a change of topology took from a phase
 };
 
 /// One edit. Fields that a kind of edit does not use are invalid (no_id).
@@ -91,7 +91,7 @@ struct Edit {
 };
 static_assert(sizeof(Edit) == 56);
 
-/// How many edits of each kind there were. Sums over submeshes do not depend on threads.
+/// The number of edits of each kind. Sums over submeshes do not depend on threads.
 struct OperationCounts {
     std::uint64_t moves = 0;               ///< vertices moved by the flow, wholly or partly
     std::uint64_t flips = 0;               ///< of edges that are not constrained
@@ -100,7 +100,7 @@ struct OperationCounts {
     std::uint64_t splits = 0;              ///< of other edges
     std::uint64_t collapses = 0;           ///< along other edges
     std::uint64_t smoothed = 0;            ///< vertices moved for the quality of their stars
-    std::uint64_t subdivisions = 0;        ///< their splits and flips are counted as well
+    std::uint64_t subdivisions = 0;        ///< loop; their splits and flips are counted too
     std::uint64_t retriangulations = 0;    ///< local ones, of whole polygons
     std::uint64_t relabelled = 0;          ///< triangles that changed their phase
     std::uint64_t examined = 0;            ///< stars that were gathered for the mesh update

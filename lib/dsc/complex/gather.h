@@ -34,8 +34,9 @@ struct Star {
     // Triangle i is the centre, (x, y)[i] and (x_next, y_next)[i], counter-clockwise; the padding
     // repeats triangle 0. These are the link vertices i and i + 1; link[size] closes the star, or
     // is the last vertex of an open one. Incident edge 0 of an open star has no predecessor: its
-    // (x_previous, y_previous) is link vertex 0 itself. Neighbours are stored rather than shuffled:
-    // a vector load that spans two recent stores has to wait for both.
+    // (x_previous, y_previous) is link vertex 0 itself. The coordinates of neighbours are stored
+    // rather than shuffled, because a vector load that spans two recent stores has to wait for
+    // both.
     alignas(64) std::array<Real, room> x;          ///< link vertex i
     alignas(64) std::array<Real, room> y;          ///< link vertex i
     alignas(64) std::array<Real, room> x_next;     ///< link vertex i + 1
@@ -43,7 +44,7 @@ struct Star {
     alignas(64) std::array<Real, room> x_previous; ///< link vertex i - 1
     alignas(64) std::array<Real, room> y_previous; ///< link vertex i - 1
     std::array<std::uint32_t, room> link;          ///< ids of the link's vertices
-    std::array<Corner, room> corner;               ///< of the centre in triangle i
+    std::array<Corner, room> corner;               ///< corner of the centre in triangle i
     std::array<Phase, room> phase;                 ///< of triangle i
 
     /// The size rounded up to whole lanes.
@@ -80,7 +81,7 @@ struct IncidentEdges {
     std::uint32_t first = 0;  ///< counter-clockwise from incident edge 0; if count > 0
     std::uint32_t second = 0; ///< the last one where there are more than two; if count > 1
 
-    /// Of two incident edges, the one that is not `incident_edge`.
+    /// The other one of the two incident edges.
     [[nodiscard]] std::uint32_t other(std::uint32_t incident_edge) const {
         return first == incident_edge ? second : first;
     }
@@ -125,15 +126,15 @@ namespace detail {
 // each vertex once from registers into every row that needs it, and stars are filled up to whole
 // lanes without a loop.
 
-/// How a star is tested for ownership.
+/// The kind of region, which decides how a star is tested for ownership.
 enum class Owned : std::uint8_t {
     surely,  ///< the region is the whole mesh
     upright, ///< an axis-aligned box: by the bounds of the link
     tested,  ///< any other region: vertex by vertex
 };
 
-/// The smallest axis-aligned box around the star. Updated in registers while the link is walked:
-/// reading the rows of the star would have to wait for the stores that fill them.
+/// The smallest axis-aligned box around the star. It is updated in registers while the link is
+/// walked, because reading the rows of the star would have to wait for the stores that fill them.
 template <class Real>
 struct Bounds {
     Real x_low; ///< of the centre at first
@@ -210,7 +211,7 @@ public:
     }
 
     /// Ends a star of n triangles: closes the star, and repeats triangle 0 behind it. Inlined, so
-    /// that the walk keeps the writer in registers.
+    /// that the compiler keeps the writer in registers during the walk.
     [[gnu::always_inline]] void finish(std::size_t n, bool closed) {
         Star<Real>& r = star_;
         r.size = static_cast<std::uint32_t>(n);
@@ -228,7 +229,7 @@ public:
         const Real y_previous = r.y[closed ? n - 1 : 0];
         r.x_previous[0] = x_previous;
         r.y_previous[0] = y_previous;
-        // Always eight lanes: usually more than the padding needs, but without a loop.
+        // Writes always eight lanes, usually more than the padding needs, but without a loop.
         fill(r.x, n, x);
         fill(r.y, n, y);
         fill(r.x_next, n, r.x_next[0]);
@@ -242,7 +243,7 @@ public:
     }
 
 private:
-    /// `prev_index`, looked up: a load of one byte in place of a comparison and a selection.
+    /// `prev_index` by a table: a load of one byte instead of a comparison and a selection.
     static constexpr std::array<std::uint8_t, 4> preceding_index{2, 0, 1, 0};
 
     static void fill(std::array<Real, Star<Real>::room>& row, std::size_t from, Real value) {

@@ -11,8 +11,8 @@
 
 namespace dsc {
 
-/// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
-/// in parallel may not grow them: an edit that finds its pool empty is refused
+/// A pool of free ids. A pool of free ids. The complex grows its arrays when its own pool is empty.
+/// A submesh that runs in parallel may not grow them: an edit that finds its pool empty is refused
 /// (`Verdict::out_of_ids`).
 struct IdPool {
     std::vector<std::uint32_t> vertices;  ///< ids without a vertex
@@ -31,7 +31,7 @@ struct FreeIds : IdPool {
     FreeIds() = default;
     /// The same pools, lent to nobody.
     FreeIds(const FreeIds&) = default;
-    /// Leaves no id in the other, which begins a new generation.
+    /// Moves the ids; the other object has none afterwards and begins a new generation.
     FreeIds(FreeIds&& other) noexcept;
     /// Begins a new generation.
     FreeIds& operator=(const FreeIds& other);

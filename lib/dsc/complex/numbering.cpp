@@ -25,7 +25,7 @@ public:
     explicit Grid(const Complex<Real>& complex) {
         const auto [low, high] = bounds_of(complex);
         low_ = low.template cast<double>();
-        // Halves, so that an extent near the largest double does not overflow.
+        // Coordinates are halved, so that an extent near the largest double does not overflow.
         const double half = (high.template cast<double>() / 2 - low_ / 2).maxCoeff();
         scale_ = half > 0 ? 0.5 * cells / half : 0;
     }
@@ -38,7 +38,7 @@ private:
     static constexpr double cells = 4294967295.0;
 
     [[nodiscard]] std::uint32_t cell(double value, double low) const {
-        // Also catches inf * 0 for extents that are subnormal or overflow.
+        // Also covers inf * 0 for extents that are subnormal or overflow.
         const double at = (value / 2 - low / 2) * scale_ * 2;
         return at > 0 ? static_cast<std::uint32_t>(std::min(at, cells)) : 0;
     }

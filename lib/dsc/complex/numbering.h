@@ -14,8 +14,8 @@
 
 namespace dsc {
 
-/// The distance along the Hilbert curve of order 32 through the 2^32 x 2^32 grid. Cells that follow
-/// each other on the curve share a side.
+/// The distance along the Hilbert curve of order 32 through the 2^32 x 2^32 grid. Successive cells
+/// of the curve share a side.
 [[nodiscard]] std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y);
 
 /// The new id of each old one; no_id if the old id was free.

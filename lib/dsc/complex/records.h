@@ -13,13 +13,13 @@ namespace dsc {
 /// Bits of `VertexRecord::flags`.
 enum VertexFlag : std::uint32_t {
     vertex_dead = 1U,   ///< the id is free
-    vertex_locked = 2U, ///< the application forbids it to move or vanish
+    vertex_locked = 2U, ///< the application forbids the vertex to move or vanish
     /// This bit and the next count the steps in which the vertex did not arrive, up to three. A
     /// vertex with both bits set is in contact: until it arrives, each step tries it only once.
     vertex_missed = 4U,
     vertex_contact = 12U,
-    vertex_feature = 16U, ///< of the interface: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U,  ///< it was moved or deferred, and has not arrived yet
+    vertex_feature = 16U, ///< a feature: it is kept, and the curve has no tangent there
+    vertex_on_way = 32U,  ///< the vertex was moved or deferred, and has not arrived yet
 };
 
 /// A triangle, by id.

@@ -87,7 +87,7 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     ur.n[index_of(uw)] = tb;
     complex.vertices[b].corner = tb;
     complex.vertices[w].corner = uw;
-    // Edge data are stored at the corners opposite to the edge, and two edges changed theirs.
+    // Edge data are stored at the corners opposite to the edge, which changed for two edges.
     complex.attributes.copy_edge(c, uw);
     complex.attributes.copy_edge(o, tb);
     complex.attributes.reset_edge(tb);
@@ -104,8 +104,8 @@ void flip(Complex<Real>& complex, EditLog& log, Corner c) {
     });
 }
 
-/// Where between `a` (0) and `b` (1) a new vertex of their edge lies: the parameter of the nearest
-/// point of the edge, exactly one half at the midpoint.
+/// The position of a new vertex on the edge between `a` (0) and `b` (1): the parameter of the
+/// nearest point of the edge, exactly one half at the midpoint.
 template <class Real>
 [[nodiscard, gnu::noinline]] double split_fraction(const Point<Real>& place, const Point<Real>& a,
                                                    const Point<Real>& b) {
@@ -210,13 +210,13 @@ void close_gap(Complex<Real>& complex, Corner outer_a, Corner outer_b, std::uint
         link(complex, outer_a, outer_b);
     }
     const Corner kept = is_border(outer_a) ? outer_b : outer_a;
-    // `kept` is opposite to the edge (apex, base).
+    // The corner `kept` is opposite to the edge (apex, base).
     const bool apex_next = complex.vertex(next(kept)) == apex;
     complex.vertices[apex].corner = apex_next ? next(kept) : prev(kept);
     complex.vertices[base].corner = apex_next ? prev(kept) : next(kept);
 }
 
-/// The end of a collapsing edge that vanishes, as seen from the corner opposite to the edge.
+/// The end of a collapsing edge that vanishes, seen from the corner opposite to the edge.
 enum class Vanishing : std::uint8_t { next, prev };
 
 /// Collapses the edge opposite to `c`: the vanishing end v leaves its triangles to the other end;
@@ -241,14 +241,16 @@ void collapse(Complex<Real>& complex, EditLog& log, Corner c, Vanishing end, IdP
                     .apexes = {Vertex{complex.vertex(c)},
                                Vertex{is_border(o) ? no_id : complex.vertex(o)}}};
     });
-    // From t about v, away from the edge, up to the other triangle at the edge or the border.
+    // Visits the triangles about v from t on, away from the edge, up to the other triangle at the
+    // edge or to the border.
     for (Corner across = complex.twin(ccw ? prev(c) : next(c));
          !is_border(across) && triangle_of(across) != u;) {
         const Corner here = ccw ? next(across) : prev(across);
         complex.triangles[triangle_of(here)].v[index_of(here)] = keep;
         across = complex.twin(ccw ? next(here) : prev(here));
     }
-    // Two edges become one: the data of the kept edge stay, those of the vanishing one go.
+    // Two edges become one: the data of the kept edge stay, those of the vanishing edge are
+    // dropped.
     const auto close = [&](Corner apex, Corner at_v, Corner at_keep) {
         const Corner beyond_keep = complex.twin(at_v); // across (keep, apex)
         const Corner beyond_v = complex.twin(at_keep); // across (v, apex)

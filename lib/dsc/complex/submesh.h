@@ -15,7 +15,7 @@ namespace dsc {
 
 /// Which vertices a submesh owns.
 struct Region {
-    /// How a region decides which vertices it owns.
+    /// The rule by which a region owns vertices.
     enum class Kind : std::uint8_t {
         whole,  ///< everything is owned
         box,    ///< by position, in a frame that may be turned
@@ -61,7 +61,7 @@ struct Region {
         region.kind = is_upright() ? Kind::upright : kind;
         return region;
     }
-    /// Whether an upright box owns a place.
+    /// Whether an upright box owns a point.
     [[nodiscard]] bool is_inside(double x, double y) const {
         return (low <= x) & (x < high) & (side_low <= y) & (y < side_high);
     }
@@ -69,14 +69,14 @@ struct Region {
     [[nodiscard]] double along(double x, double y) const { return normal_x * x + normal_y * y; }
     /// The coordinate along the left of the normal, w.
     [[nodiscard]] double aside(double x, double y) const { return normal_x * y - normal_y * x; }
-    /// Whether a box owns a place.
+    /// Whether a box owns a point.
     [[nodiscard]] bool owns_place(double x, double y) const {
         const double u = along(x, y);
         const double w = aside(x, y);
         const bool is_along = low <= high ? (low <= u) & (u < high) : (low <= u) | (u < high);
         return is_along & (side_low <= w) & (w < side_high);
     }
-    /// Whether it owns a vertex that lies at (x, y). Upright boxes, which almost all submeshes are,
+    /// Whether the region owns a vertex at (x, y). Upright boxes, which almost all submeshes are,
     /// are inlined. O(1), or what `place` takes.
     [[nodiscard]] bool owns(std::uint32_t vertex, double x, double y) const {
         return kind == Kind::upright ? is_inside(x, y) : is_owner(vertex, x, y);
@@ -92,7 +92,8 @@ struct Region {
         }
         return false;
     }
-    /// False only if no point can lie in both; always true for labels and places.
+    /// Whether two regions may overlap: false only if no point can lie in both; always true for
+    /// labels and places.
     [[nodiscard]] bool may_meet(const Region& other) const {
         const auto is_box = [](const Region& region) {
             return region.kind == Kind::box || region.kind == Kind::upright;
@@ -135,7 +136,7 @@ struct Submesh {
     EditLog* log;           ///< where edits are noted
 };
 
-/// What an operation may be given: a submesh, or a complex, which stands for its whole.
+/// The argument of operations: a submesh, or a complex, which stands for its whole.
 template <class T>
 concept Editable = requires(T& where) {
     Submesh(where);

@@ -13,7 +13,7 @@ namespace dsc {
 
 namespace {
 
-// From left to right, and upwards for equal x: as if the plane were sheared a little.
+// The order from left to right, and upwards for equal x, as if the plane were slightly sheared.
 bool precedes(const Point<double>& a, const Point<double>& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
@@ -87,9 +87,9 @@ private:
         return ends;
     }
 
-    // The vertical order of two lines that the sweep meets, at the left end that comes later. If
-    // the other line passes through this end, either order will do: the two become neighbours and
-    // are compared.
+    // The vertical order of two lines on the sweep line, at the later of their left ends. If the
+    // other line passes through that end, either order is correct, because the two become
+    // neighbours and are compared.
     [[nodiscard]] bool below(std::uint32_t s, std::uint32_t t) const {
         int sign = 0;
         if (left(s) == left(t)) {

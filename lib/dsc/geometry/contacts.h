@@ -10,14 +10,14 @@
 
 namespace dsc {
 
-/// A straight line by the numbers of its ends, which lie at different places. Lines that share a
-/// number may meet there; points at one place with different numbers touch each other.
+/// A straight line, given by the numbers of its two different ends. Lines that share a number may
+/// meet there; coincident points with different numbers are a contact.
 struct NetworkLine {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
 };
 
-/// Two lines that have a point in common and should not, the smaller number first.
+/// Two lines in contact, the smaller number first.
 struct LineContact {
     std::uint32_t line = 0;
     std::uint32_t other = 0;

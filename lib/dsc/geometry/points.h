@@ -100,7 +100,8 @@ template <class Real>
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline bool
 turns_less(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to, Real cosine) {
-    // In scalars: a vector load waits for two scalar stores, if the points have just been made.
+    // Uses scalars, because a vector load would wait for two scalar stores if the points have just
+    // been computed.
     const Real in_x = at.x() - from.x();
     const Real in_y = at.y() - from.y();
     const Real out_x = to.x() - at.x();

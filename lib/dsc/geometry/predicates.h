@@ -63,7 +63,7 @@ struct InCircleFilter {
         // (10 + 96 eps) eps with eps = 2^-53 (Shewchuk 1997).
         return 1.1102230246251577e-15 * permanent;
     }
-    /// Whether the bound holds: no product may have lost bits to underflow.
+    /// Whether the bound holds, that is, no product has lost bits to underflow.
     [[nodiscard]] bool is_free_of_underflow() const { return permanent > underflow_guard; }
 };
 

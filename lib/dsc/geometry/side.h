@@ -14,7 +14,7 @@
 
 namespace dsc {
 
-/// What the domain boundary does at a vertex.
+/// The shape of the domain boundary at a vertex.
 enum class Side : std::uint8_t {
     straight, ///< it goes on straight, up to rounding
     curved,   ///< it turns by less than `side_turn_degrees`
@@ -23,7 +23,8 @@ enum class Side : std::uint8_t {
 
 /// A sharper turn of the domain boundary is a feature, which stays where it is.
 inline constexpr double side_turn_degrees = 12;
-/// A vertex on a curved side may be removed if it lies within this share of the edge that is left.
+/// A vertex on a curved side may be removed if its distance from the merged edge is at most this
+/// fraction of that edge.
 inline constexpr double side_deviation = 0.02;
 
 namespace detail {
@@ -41,7 +42,7 @@ struct SideHeight {
 
 } // namespace detail
 
-/// What the domain boundary does at `at`, between its neighbours. O(1).
+/// The shape of the domain boundary at `at`, between its two neighbours. O(1).
 template <class Real>
 [[nodiscard]] Side side_at(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to) {
     if (orientation<Real>(from, at, to) == 0) {
@@ -51,8 +52,8 @@ template <class Real>
     if (!turns_less<Real>(from, at, to, static_cast<Real>(cosine_of_side_turn))) {
         return Side::feature;
     }
-    // Each of the three points is rounded, and so is the middle of an edge that is rounded already;
-    // meshes from files may have ten digits.
+    // The tolerance covers the rounding of the three points, of midpoints of rounded edges, and of
+    // meshes from files with ten digits.
     const Real largest =
         std::max({from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff(), at.cwiseAbs().maxCoeff()});
     const detail::SideHeight<Real> over(from, at, to);
@@ -99,9 +100,9 @@ template <class Real>
     return from + along * way + y * Point<Real>(way.y(), -way.x());
 }
 
-/// Where a vertex of the domain boundary goes that wants to go to `target`: along a straight side;
-/// nowhere from a feature. Along a curved side only ends of curves slide: other vertices need
-/// not move, and each move changes the shape of the domain a little. O(1).
+/// The position that a vertex of the domain boundary with this target takes: it slides along a
+/// straight side, and stays at a feature. On a curved side only the ends of curves slide; other
+/// vertices stay, because each move changes the shape of the domain slightly. O(1).
 template <class Real>
 [[nodiscard]] Point<Real> slid_on_side(const Point<Real>& from, const Point<Real>& at,
                                        const Point<Real>& to, const Point<Real>& target,
@@ -121,7 +122,8 @@ template <class Real>
     if (side == Side::straight) {
         return from + (here + along) * (to - from);
     }
-    // It stops before its neighbours: one that is in the way is removed before the next sub-step.
+    // The vertex stops before its neighbours; a neighbour in its way is removed before the next
+    // sub-step.
     constexpr auto near = Real(0.05); // of the way from one neighbour to the other
     const Real share = std::clamp(here + along, std::min(here, near), std::max(here, 1 - near));
     return point_of_side<Real>(from, at, to, share * std::sqrt(square));
