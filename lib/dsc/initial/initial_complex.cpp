@@ -52,7 +52,7 @@ Complex<Real> without_outside(const Complex<Real>& complex, initial::Chains& cha
     }
     try {
         return make_complex<Real>(points, kept, phases);
-    } catch (const InputError& error) { // what the even-odd rule makes of such rings is no domain
+    } catch (const InputError& error) { // such rings do not bound a domain by the even-odd rule
         throw InputError({.what = "rings of the domain touch each other",
                           .where = "domain",
                           .value = error.value(),
@@ -159,7 +159,7 @@ void check_phases(std::span<const Shape> shapes) {
     }
 }
 
-// What surrounds a domain, as a shape in the rectangle around it.
+// The surroundings of a domain, as a shape in the rectangle around it.
 Shape outside_of(const Polygon& domain, double edge_length, Rectangle& around) {
     require(domain.outline.size() >= 3, "points of the outline of the domain",
             static_cast<double>(domain.outline.size()), "3 or more");

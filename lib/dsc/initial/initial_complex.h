@@ -84,14 +84,13 @@ struct Frame {
 
 // --- the complex ---------------------------------------------------------------------------------
 
-/// What happens to detail that is finer than the mesh, where triangles would stay needles. The edge
-/// length is here the shortest that `sizes` may ask of the interface.
+/// The treatment of detail that is finer than the mesh, where triangles would remain needles. The
+/// edge length in these rules is the shortest target that `sizes` allows on the interface.
 enum class Detail : std::uint8_t {
     /// Points at edges below 0.2 edge lengths are left out, if the interface stays within 0.1 edge
     /// lengths of them, and the area on each side of a curve within 0.001 edge lengths times its
-    /// length, and within 0.001 of the area inside it. Where neither end of such an edge can be
-    /// left
-    /// out, one point takes the place of both. Shapes that are smaller than the edge length are
+    /// length, and within 0.001 of the area inside it. If neither end of such an edge can be left
+    /// out, both are replaced by one point. Shapes that are smaller than the edge length are
     /// dropped.
     thin,
     /// All points and shapes stay. Edges below 0.05 edge lengths and shapes smaller than the edge
@@ -104,14 +103,14 @@ inline constexpr std::array detail_names{
     Named{Detail::keep, "keep"},
 };
 
-/// What happens to gaps, regions of no shape between shapes and sides of the domain that are
-/// narrower than the edge length on average, and to overlaps, regions of two shapes of which none
-/// lies in the other.
+/// The treatment of gaps (regions without a shape, between shapes and sides of the domain, whose
+/// mean width is below the edge length) and of overlaps (common regions of two shapes of which
+/// neither contains the other).
 enum class Coverage : std::uint8_t {
     open,           ///< gaps are of `exterior_phase`, overlaps are refused
     whole,          ///< both are refused
-    longest_border, ///< both are given to the shape with the longest border there
-    first,          ///< both are given to the shape that comes first in the list
+    longest_border, ///< gaps and overlaps are given to the shape with the longest border there
+    first,          ///< gaps and overlaps are given to the first such shape of the list
 };
 
 inline constexpr std::array coverage_names{
@@ -121,12 +120,13 @@ inline constexpr std::array coverage_names{
     Named{Coverage::first, "first"},
 };
 
-/// What was left out of shapes or curves because the mesh is too coarse for it.
+/// A report of the detail of shapes or curves that was left out because the mesh is too coarse for
+/// it.
 struct InputReport {
     std::size_t points = 0;  ///< given
     std::size_t thinned = 0; ///< points left out of the interface
-    double deviation = 0;    ///< the largest distance of these from the interface
-    double area_changed = 0; ///< by leaving them out: the sum over all curves of the net change
+    double deviation = 0;    ///< the largest distance of a left-out point from the interface
+    double area_changed = 0; ///< by leaving points out: the sum over curves of the net change
     std::size_t dropped = 0; ///< shapes that are too small
     double area_dropped = 0; ///< of these shapes
     std::size_t clipped = 0; ///< outlines and holes that were cut at the sides of the domain
@@ -148,14 +148,15 @@ struct InitialOptions {
     /// Borders of shapes that are nearer to each other than this times the edge length are merged;
     /// 0.001 to 0.1.
     double border_tolerance = 1e-3;
-    Coverage coverage = Coverage::open; ///< what happens to gaps and overlaps that are wider
+    Coverage coverage = Coverage::open; ///< the treatment of wider gaps and overlaps
 };
 
 /// Triangulates `domain` with the outlines of `shapes` as its interface.
 ///
 /// The innermost shape that contains a triangle gives its phase; outside of all it is
-/// `exterior_phase`. A shape in one of the same phase is a hole, and so is one of `exterior_phase`.
-/// Shapes side by side share their border. What lies beyond the domain is clipped.
+/// `exterior_phase`. A shape inside a shape of the same phase is a hole, and so is a shape of
+/// `exterior_phase`. Shapes side by side share their border. Parts of shapes beyond the domain are
+/// clipped.
 ///
 /// Each edge longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all
 /// vertices at edges of at least 0.2 `edge_length` keep the same bits (for float: as rounded),
@@ -184,7 +185,7 @@ Complex<Real> initial_complex(const Rectangle& domain, std::initializer_list<Sha
 }
 
 /// The same for a domain of any shape; what lies beyond its boundary is clipped. Points of the
-/// boundary are treated like those of outlines: what is finer than the mesh is thinned.
+/// boundary are treated like those of outlines: detail finer than the mesh is thinned.
 ///
 /// \throw InputError also where a ring of the domain crosses or touches another one.
 template <class Real>

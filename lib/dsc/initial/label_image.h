@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first complex of an image whose pixels are numbers of phases, as segmentation and electron
-// backscatter diffraction give them.
+// The first complex from an image whose pixels are numbers of phases, as made by segmentation or
+// electron backscatter diffraction.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"

@@ -10,8 +10,8 @@
 
 namespace dsc::initial {
 
-/// The nearest representable number. Through memory: g++ 12 at -O2 turns two conversions from
-/// double to float and back, side by side in a vector register, into none.
+/// The nearest representable number. Rounds through memory, because g++ 12 at -O2 removes two
+/// conversions from double to float and back that are side by side in a vector register.
 template <class Real>
 Real narrowed(double value) {
     const volatile Real narrow = static_cast<Real>(value);

@@ -93,9 +93,9 @@ std::uint32_t insert_point(Complex<Real>& complex, const WalkEnd& place, const P
     const std::uint32_t u2 = is_border(other) ? no_id : complex.take_triangle(complex.ids);
     rewire::split(complex, complex.journal, corner, m, point, t2, u2);
     if (place.kind == WalkEnd::Kind::triangle) {
-        // One triangle into three: split an edge as if m were on it, then flip the edge from m into
-        // the triangle beyond, which restores the split edge. The triangle beyond is then u2, and u
-        // lies on this side.
+        // Divides a triangle into three: splits an edge as if m were on it, then flips the edge
+        // from m into the triangle beyond, which restores the split edge. The triangle beyond is
+        // then u2, and u lies on this side.
         rewire::flip(complex, complex.journal, next(other));
         complex.triangles[triangle_of(other)].phase = complex.phase_at(corner);
     }

@@ -65,10 +65,10 @@ void clear_piece(Complex<Real>& complex, const Lattice& lattice, const Point<dou
 
 using Pair = std::array<std::uint32_t, 2>;
 
-// The edges that the segment crosses, up to its end or to the first vertex that it meets.
+// Finds the edges that the segment crosses, up to its end or to the first vertex on it.
 struct Crossings {
     std::uint32_t end = no_id;
-    std::deque<Pair> edges; // each by its end to the right of the segment and the other one
+    std::deque<Pair> edges; // ends right and left of the segment
 };
 
 template <class Real>
@@ -133,7 +133,8 @@ private:
                 crossings.end = apex;
                 return crossings;
             }
-            // About `other` lie the left and then the right end of the edge just crossed.
+            // Counter-clockwise about `other`, first the left and then the right end of the edge
+            // just crossed.
             into = sign > 0 ? next(other) : prev(other);
         }
         throw InvariantError("recover_segments: the walk to the other end failed");
@@ -204,8 +205,8 @@ Chains insert_paths(Complex<Real>& complex, const Lattice& lattice,
         chain.reserve(path.size());
         std::uint32_t near = lattice.triangle_near(path.front());
         while (!complex.is_alive(Triangle{near})) {
-            // It was removed: try the next one. The lattice's triangles at the corners of the
-            // domain always remain.
+            // This triangle was removed: try the next one. The lattice's triangles at the corners
+            // of the domain always remain.
             near = near + 1 < complex.triangle_bound() ? near + 1 : 1;
         }
         for (const Point<double>& place : path) {

@@ -9,15 +9,15 @@ namespace dsc::initial {
 
 namespace {
 
-// A piece of the interface by the corners opposite to it, in the triangles on the left and on the
-// right of its way. It bounds the regions while their phases are unknown.
+// A piece of the interface, given by the corners opposite to it in the triangles on its left and
+// right. It bounds the regions while their phases are unknown.
 struct Barrier {
     Corner left;
     Corner right;
     std::uint32_t path; // the path that it is a piece of
 };
 
-// Which path named a region first.
+// The path that named a region first.
 struct Named {
     Phase phase = exterior_phase;
     std::uint32_t path = no_id; // none has
@@ -94,7 +94,7 @@ private:
         }
     }
 
-    // An outline does not name the phase outside, which is known only now.
+    // An outline does not name the phase outside it, which is only known now.
     void check_sides(const Barrier& barrier) const {
         if (complex_.phase_at(barrier.left) == complex_.phase_at(barrier.right)) {
             throw InputError(

@@ -33,7 +33,7 @@ double worst_quality(const Star<Real>& star) {
     return worst_quality_at(star, Point<double>(star.x0, star.y0));
 }
 
-/// Into which neighbour to collapse the centre of a star.
+/// The neighbour into which the centre of a star is collapsed.
 struct CollapseChoice {
     std::uint32_t incident_edge = no_id; ///< none is legal
     double quality = 0;                  ///< of the worst triangle afterwards

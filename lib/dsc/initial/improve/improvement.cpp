@@ -29,7 +29,7 @@ void in_rounds(Complex<Real>& complex, int rounds, Round round) {
 
 // --- near the interface --------------------------------------------------------------------------
 
-constexpr int layers = 4; // of edges about the interface that always belong to the zone
+constexpr int layers = 4; // rings of edges about the interface that always belong to the zone
 // An edge shorter than this share of the target is not one of the lattice, whose shortest edges
 // belong to the half triangles at the sides.
 constexpr double fine_below = 0.48;
@@ -47,13 +47,13 @@ bool is_fine(const Complex<Real>& complex, std::uint32_t vertex, double length) 
 
 // --- where edges grow ----------------------------------------------------------------------------
 
-// The radius of the circle about a triangle that is broken up, over the mean target of its corners;
-// of an equilateral triangle with such edges it is 0.58. The edges that result are between this and
-// twice this.
+// A triangle is broken up if the radius of its circle over the mean target of its corners is larger
+// than this (0.58 for an equilateral triangle with such edges). The new edges are between once and
+// twice this length.
 constexpr double largest_radius = 0.75;
-// Sides of the domain that are split, over the mean target of their ends.
+// Sides of the domain are split from this length on, over the mean target of their ends.
 constexpr double longest_side = 1.4;
-// Sides shorter than that are not split for a centre that comes too near to them.
+// Shorter sides are not split for a circle's centre that comes too close to them.
 constexpr double shortest_side = 0.8;
 // A vertex all of whose incident edges are shorter than this, over its target, is removed...
 constexpr double crowded = 0.95;
@@ -145,7 +145,7 @@ private:
     Star<Real> star_;
 };
 
-// Collapses vertices where there are more of them than the targets require. Returns their number.
+// Collapses vertices in places with more vertices than the targets require. Returns their number.
 template <class Real>
 std::size_t remove_crowded(Complex<Real>& complex, std::span<const std::uint32_t> zone) {
     const SizeField<Real>& field = size_field(complex);
@@ -210,7 +210,7 @@ void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_ve
              double edge_length, int rounds, Protection protection) {
     in_rounds(complex, rounds, [&] {
         const auto zone = find_zone(complex, interface_vertices, edge_length);
-        // Smoothing after every change, as the next change is judged by the current triangles.
+        // Smooths after every change, because the next change is judged by the current triangles.
         std::size_t changes = smooth(complex, zone);
         changes += thin_out(complex, zone, edge_length);
         changes += smooth(complex, zone);

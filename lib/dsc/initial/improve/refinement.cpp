@@ -15,14 +15,14 @@ namespace {
 
 constexpr double refine_below = 0.5;  // quality of a triangle that is broken up
 constexpr double split_above = 1.5;   // length of an inner edge that is split, over the target
-constexpr double split_quality = 0.4; // of the triangles that a split may leave for smoothing
+constexpr double split_quality = 0.4; // smallest quality that a split may leave for smoothing
 
 // The corner opposite to a constrained edge of the triangle whose protection the point lies in;
 // no_id if there is none.
 template <class Real>
 Corner encroached_edge(const Complex<Real>& complex, std::uint32_t triangle,
                        const Point<double>& point, Protection protection) {
-    constexpr double cosine_of_lens = -0.5; // of the angle at which a piece is seen from its rim
+    constexpr double cosine_of_lens = -0.5; // of the angle at which its rim sees a piece
     for (std::uint32_t i = 0; i < 3; ++i) {
         const Corner c = corner_of(triangle, i);
         if (!is_constrained(complex, c)) {

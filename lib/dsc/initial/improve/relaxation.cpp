@@ -20,7 +20,7 @@ constexpr double collapse_below = 0.6; // worst quality of a star that may be co
 constexpr double collapse_gain = 0.02; // in quality, for a collapse
 constexpr double longest_edge = 1.4;   // after a collapse, over the target
 
-/// Where a vertex may go: anywhere, along one axis, or nowhere.
+/// The freedom of a vertex: anywhere, along one axis, or none.
 enum class Freedom : std::uint8_t { none, horizontal, vertical, full };
 
 template <class Real>
@@ -62,7 +62,7 @@ struct Trial {
     }
 };
 
-// Climbs in ever smaller steps to a place where the worst triangle is as good as possible.
+// Searches with decreasing steps for the position at which the worst triangle is best.
 template <class Real>
 void search(Trial<Real>& trial, double reach) {
     constexpr double diagonal = 0.70710678118654752;

@@ -11,13 +11,13 @@
 
 namespace dsc::initial {
 
-/// Moves the unsettled vertices among those given that lie inside one phase, and those on the
-/// domain boundary along its straight sides; settles those that it leaves. Returns the number of
-/// moves. All edges stay constrained Delaunay.
+/// Moves those of the given vertices that are unsettled: anywhere inside one phase, and on the
+/// domain boundary along its straight sides. Vertices that it does not move become settled. Returns
+/// the number of moves. All edges stay constrained Delaunay.
 template <class Real>
 std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone);
 
-/// Collapses such vertices into a neighbour where their triangles are poor and crowded. Returns the
+/// Collapses such vertices into a neighbour if their triangles are poor and crowded. Returns the
 /// number of collapses. All edges stay constrained Delaunay.
 template <class Real>
 std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone,

@@ -31,7 +31,7 @@ std::array<Side, 4> sides_of(const Lattice& lattice) {
              {1, lattice.high.y(), false}}};
 }
 
-// Where an edge meets a side; the same for both of its directions.
+// The point where an edge meets a side; the same for both directions of the edge.
 template <class Real>
 Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
     if (is_left_of(b, a)) {
@@ -43,7 +43,7 @@ Point<double> crossing(const Side& side, Point<double> a, Point<double> b) {
     return p;
 }
 
-// Keeps what lies on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant
+// Keeps the part on the domain's side of a line (I. E. Sutherland, G. W. Hodgman, "Reentrant
 // polygon clipping", 1974). Edges along the line that bound no part of the shape occur twice.
 template <class Real>
 void clip(Loop& loop, const Side& side) {

@@ -33,7 +33,7 @@ struct Clipped {
     bool is_at_side = false; ///< a loop was cut, or lies within the tolerance of a side
 };
 
-/// Cuts off what lies beyond the sides of the domain, moves points that are closer to a side than
+/// Cuts off parts beyond the sides of the domain, moves points that are closer to a side than
 /// `tolerance` onto it, and removes loops that become empty. O(points).
 template <class Real>
 Clipped clip_to_domain(std::vector<Loop>& loops, const Lattice& lattice, double tolerance);

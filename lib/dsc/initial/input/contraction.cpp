@@ -60,8 +60,8 @@ public:
         while (!short_lines_.empty()) {
             const auto [length, k] = short_lines_.top();
             short_lines_.pop();
-            if (is_gone_[k] == 0 && length == length_of(k)) { // else it is queued again with its
-                                                              // new length
+            if (is_gone_[k] == 0 && length == length_of(k)) { // otherwise it is queued again with
+                                                              // its new length
                 contract(k);
             }
         }
@@ -79,7 +79,7 @@ private:
         Point<double> place{0, 0};
         Points given;                     // the junctions merged into this one; none: it was merged
                                           // itself
-        std::vector<std::uint32_t> lines; // that end here; closed ones twice
+        std::vector<std::uint32_t> lines; // lines that end here; closed ones twice
     };
     using Short = std::pair<double, std::uint32_t>;
 
@@ -107,7 +107,7 @@ private:
     [[nodiscard]] bool is_side(std::uint32_t line) const {
         return lines_[line].path.left == border_phase || lines_[line].path.right == border_phase;
     }
-    // Whether that boundary turns at a junction of it.
+    // Whether the domain boundary turns at a junction on it.
     [[nodiscard]] bool turns_at(const Junction& junction) const {
         std::vector<Point<double>> beside;
         for (const std::uint32_t line : junction.lines) {
@@ -122,7 +122,8 @@ private:
                std::abs(turn_angle<double>(beside[0], junction.place, beside[1])) > straight;
     }
 
-    // On a side of the rectangle, or on the boundary of a domain that is no rectangle.
+    // Whether the junction is on a side of the rectangle, or on the boundary of a domain that is no
+    // rectangle.
     [[nodiscard]] bool is_on_boundary(const Junction& junction) const {
         return is_on_side(junction.place) ||
                std::ranges::any_of(junction.lines,
@@ -147,7 +148,7 @@ private:
                                static_cast<double>(kept.given.size() + lost.given.size());
             target = rounded<Real>(Point<double>(kept.place + share * (lost.place - kept.place)));
         }
-        // An end on a side stays: the other one moves all the way to it.
+        // An end on a side stays, and the other end moves all the way to it.
         const double farthest =
             (is_held || is_other_held ? finest_edge : max_deviation) * edge_length_;
         if (is_side_between && turns_at(kept) && turns_at(lost)) {

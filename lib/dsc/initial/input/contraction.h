@@ -11,10 +11,10 @@ namespace dsc::initial {
 
 /// Contracts lines between two junctions that are shorter than `finest_edge` times the edge length
 /// to a point between them, the shortest first: to the end on a side of the domain, if there is
-/// one. No junction moves farther than `max_deviation` times the edge length, and lines meet
-/// nowhere that they did not meet before. A region all of whose border is contracted vanishes; the
-/// report counts it as dropped, and junctions that became one as points that were left out.
-/// O(n log n) for n points at distances that do not differ much.
+/// one. No junction moves farther than `max_deviation` times the edge length, and no new contacts
+/// of lines arise. A region whose whole border is contracted vanishes, which the report counts as
+/// dropped; merged junctions count as points left out. O(n log n) for n points at distances that do
+/// not differ much.
 template <class Real>
 void contract_short_lines(std::vector<Line>& lines, const Lattice& lattice, double edge_length,
                           InputReport& report);

@@ -27,8 +27,9 @@ using Points = std::vector<Point<double>>;
 
 // --- the domain and the options ------------------------------------------------------------------
 
-// The spacing of the lattice. Where edges grow, it is as coarse as they may become: an eighth of
-// the smaller side of the domain is small enough for triangles of good quality, and costs nothing.
+// The spacing of the lattice. The lattice, if edges grow, is as coarse as edges may become: an
+// eighth of the smaller side of the domain is small enough for triangles of good quality, and costs
+// nothing.
 double spacing_of(const InitialOptions& options, double side) {
     if (options.sizes.is_uniform()) {
         return options.edge_length;
@@ -229,7 +230,8 @@ void check_lines(std::vector<Line>& lines, const Lattice& lattice, const Initial
     }
 }
 
-// From the turn at the lowest of the leftmost points, which is convex in a simple polygon.
+// The orientation from the turn at the lowest of the leftmost points, which is convex in a simple
+// polygon.
 bool is_counter_clockwise(std::span<const Point<double>> points) {
     const auto at =
         std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {

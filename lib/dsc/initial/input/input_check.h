@@ -13,7 +13,7 @@ namespace dsc::initial {
 
 /// The interface may come as close to the sides of the domain as this share of the edge length.
 inline constexpr double min_margin = 1e-3;
-/// More triangles than this are taken for a mistake; ids would end at 2^30.
+/// Complexes with more triangles than this are refused as a mistake; ids would end at 2^30.
 inline constexpr double max_triangles = 5e8;
 /// The largest number of pieces of the interface.
 inline constexpr double max_pieces = max_triangles / 4;
@@ -38,17 +38,17 @@ struct CheckedPath {
 struct CheckedInput {
     Lattice lattice;
     std::vector<CheckedPath> paths{};
-    Phase background = exterior_phase; ///< of the domain, if there is no path
+    Phase background = exterior_phase; ///< phase of the domain, if there is no path
     bool has_outside = false;          ///< triangles of `border_phase` do not belong to the domain
 };
 
-/// A shape of `border_phase` is what surrounds the domain: its outline is the rectangle, and its
-/// holes are the rings of the domain.
+/// A shape of `border_phase` is the surroundings of the domain: its outline is the rectangle, and
+/// its holes are the rings of the domain.
 [[nodiscard]] inline bool is_outside(const Shape& shape) { return shape.phase == border_phase; }
 
 /// `Drawn` is `Shape` or `Curve`. Throws InputError as `initial_complex` documents, except for
-/// phases that contradict each other: `fill_phases` finds these. Adds to `report` what was left
-/// out. O(n log n) for n pieces.
+/// phases that contradict each other: `fill_phases` finds these. Counts left-out detail in
+/// `report`. O(n log n) for n pieces.
 template <class Real, class Drawn>
 CheckedInput check_input(const Rectangle& domain, std::span<const Drawn> drawn,
                          const InitialOptions& options, InputReport& report);

@@ -21,7 +21,8 @@ constexpr double half_diamond = 0.45;
 constexpr int smoothing_steps = 60;
 constexpr double shrinking = 0.5;
 constexpr double swelling = -1 / (1 / shrinking - 0.02);
-/// Two arms of a junction with a smaller angle between them are moved back to where they began.
+/// Two arms of a junction with a smaller angle between them are moved back to their original
+/// positions.
 constexpr double min_angle = 20 * std::numbers::pi / 180;
 /// Rounds of area correction; each leaves about a tenth of the error.
 constexpr int area_rounds = 12;
@@ -70,7 +71,7 @@ private:
         neighbours_[sites_[one].neighbours_begin + sites_[one].neighbours++] = other;
     }
 
-    // Moves a site as near to `place` as its diamond and its side allow.
+    // Moves a site as close to `place` as its diamond and its side of the image allow.
     static void move(Site& site, Point<double> place) {
         if (site.kind == Site::Kind::end) {
             const int held = site.slides_upright ? 0 : 1;
@@ -122,9 +123,10 @@ private:
         return turn < 3 * std::numbers::pi; // once around
     }
 
-    // Draws junctions that are not open, and the sites beside them, back to where they began.
+    // Moves junctions with too small angles, and the sites beside them, back to their original
+    // positions.
     void open_junctions() {
-        constexpr int max_rounds = 60; // each halves the distance to where it began
+        constexpr int max_rounds = 60; // each halves the distance to the original position
         for (int round = 0; round < max_rounds; ++round) {
             bool any = false;
             for (Site& site : sites_) {
@@ -233,7 +235,8 @@ private:
         return numbers;
     }
 
-    // Moves a boundary to its right, less beside its ends, so that its left gains this area.
+    // Moves a boundary to its right, less beside its ends, so that the grain on its left gains this
+    // area.
     void shift(const Boundary& boundary, double area) {
         const std::vector<std::uint32_t>& ids = boundary.sites;
         const std::size_t count = ids.size();
@@ -266,7 +269,7 @@ private:
     std::vector<std::uint32_t> neighbours_;
 };
 
-// Pixels that were taken from a grain because they hung on it by a corner alone are owed to it.
+// A grain that touched pixels only at a corner, and lost them, is owed their area.
 std::vector<double> owed_areas(const LabelImage& image, const Grains& grains,
                                const LabelImage& given) {
     std::vector<double> owed(grains.pixels.size(), 0);

@@ -3,17 +3,17 @@
 //
 // A boundary runs through the middles of the sides between pixels of two labels, and begins and
 // ends at corners where more than two grains meet, or at a side of the image. Each point moves
-// within a diamond about its place: the diamonds of all sides of pixels are apart, so that
-// boundaries that stay in theirs cannot meet. Within the diamonds they are smoothed, and then
-// moved sideways until each grain has the area of its pixels, those included that hung on it by a
-// corner alone and were given to a neighbour.
+// within a diamond about its original position: the diamonds of all sides of pixels are disjoint,
+// so boundaries cannot meet. Within the diamonds boundaries are smoothed, and then moved sideways
+// until each grain has the area of its pixels, including pixels that touched it only at a corner
+// and were given to a neighbour.
 #pragma once
 
 #include "dsc/initial/input/label_regions.h"
 
 namespace dsc::initial {
 
-/// The curves of an image, for `initial_complex`; `given` is what it was before small grains were
+/// The curves of an image, for `initial_complex`; `given` is the image before small grains were
 /// dropped. O(n log n) for n pixels.
 [[nodiscard]] std::vector<Curve> curves_of(const LabelImage& image, const LabelImage& given,
                                            const Rectangle& domain);

@@ -43,7 +43,7 @@ struct Extent {
     std::size_t top = std::numeric_limits<std::size_t>::max();
     std::size_t bottom = 0;
     bool is_small = false;
-    std::map<std::uint32_t, std::size_t> borders{}; // of small ones: sides of pixels
+    std::map<std::uint32_t, std::size_t> borders{}; // borders of small grains: in sides of pixels
 };
 
 // One round: merges small grains into neighbours that are not merged themselves in this round.
@@ -150,7 +150,7 @@ Grains grains_of(const LabelImage& image) {
 
 void drop_small_grains(LabelImage& image, const Point<double>& pixel, double min_size,
                        InputReport& report) {
-    // Each round leaves fewer sets of pixels that are joined by sides.
+    // Each round reduces the number of sets of pixels joined by sides.
     while (drop_once(image, pixel, min_size, report)) {
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The grains of a label image: which pixels belong together, and where small ones go.
+// The grains of a label image, and the merging of small ones.
 #pragma once
 
 #include "dsc/initial/label_image.h"

@@ -35,7 +35,7 @@ public:
         }
         for (int y = 0; y <= rows_; ++y) {
             for (int x = 0; x <= columns_; ++x) {
-                follow(x, y, 0); // a closed boundary has sides that are level
+                follow(x, y, 0); // a closed boundary has horizontal sides
             }
         }
     }
@@ -48,10 +48,11 @@ private:
         return static_cast<std::size_t>(rows_ - 1 - y) * image_.columns +
                static_cast<std::size_t>(x);
     }
-    // The pixels on the left and on the right of a way from a corner; none if it leads outside or
-    // along the side of the image.
+    // The pixels on the left and on the right of a step from a corner; none if the step leads
+    // outside or along a side of the image.
     [[nodiscard]] std::optional<std::array<std::size_t, 2>> beside(int x, int y, int way) const {
-        // From the corner to the pixels around it, counter-clockwise from the upper right one.
+        // Offsets from a corner to the pixels around it, counter-clockwise from the upper right
+        // one.
         constexpr std::array<std::array<int, 2>, 4> around{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
         std::array<std::size_t, 2> found{};
         for (std::size_t i = 0; i < 2; ++i) {
@@ -74,8 +75,8 @@ private:
         }
         return arms != 0 && arms != 2;
     }
-    // The direction in which a boundary goes on from a corner that is not a node, if it arrives
-    // there by `way`.
+    // The direction in which a boundary continues from a corner that is not a node, after arriving
+    // in the direction `way`.
     [[nodiscard]] int next_way(int x, int y, int way) const {
         for (int other = 0; other < 4; ++other) {
             if (other != opposite(way) && leads(x, y, other)) {

@@ -9,7 +9,8 @@
 
 namespace dsc::initial {
 
-/// A point of a boundary: where it began, and where it is, in pixels from the lower left corner.
+/// A point of a boundary: its original and its current position, in pixels from the lower left
+/// corner.
 struct Site {
     enum class Kind : std::uint8_t { side_of_pixels, junction, end };
 
@@ -18,7 +19,7 @@ struct Site {
     Kind kind = Kind::side_of_pixels;
     std::uint32_t neighbours_begin = 0;
     std::uint32_t neighbours = 0;
-    bool slides_upright = false; ///< an end, along the left or the right side of the image
+    bool slides_upright = false; ///< an end on the left or the right side of the image
 };
 
 /// A boundary from one end to the other; a closed one repeats its first site.

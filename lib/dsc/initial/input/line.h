@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An outline or a curve, while it is checked.
+// An outline or a curve during the checks.
 #pragma once
 
 #include "dsc/base/error.h"
@@ -23,7 +23,7 @@ namespace dsc::initial {
 
 /// A closed line repeats its first point at the end.
 struct Line {
-    CheckedPath path;                   ///< its points are rounded, and cut in the end
+    CheckedPath path;                   ///< its points, rounded, and finally cut into pieces
     std::vector<Point<double>> given;   ///< the same points before they were rounded
     std::vector<std::uint32_t> numbers; ///< of these points, as the caller counts them
 

@@ -18,7 +18,8 @@ namespace {
 
 using Points = std::vector<Point<double>>;
 
-// The interface by numbers of points: equal ends of curves are one point. Outlines share no points.
+// Numbers the points of the interface; equal ends of curves are one point. Outlines share no
+// points.
 class Network {
 public:
     Network(std::span<const Line> lines, const Lattice& lattice, double h)
@@ -100,7 +101,7 @@ public:
         return result;
     }
 
-    // Rounding moves the points that cut an edge: the pieces too must keep apart.
+    // Rounding moves the points that cut an edge, so the pieces must be checked for contacts too.
     void check_contacts() const {
         if (const auto contact = find_contact(points_, edges_)) {
             refuse_contact(contact->line, contact->other);
@@ -176,12 +177,12 @@ private:
     std::span<const Line> lines_;
     const Lattice& lattice_;
     double h_;
-    std::vector<std::array<std::uint32_t, 2>>
-        ends_;                 // by line: the points that it begins and ends at
-    std::deque<bool> is_loop_; // by line
+    std::vector<std::array<std::uint32_t, 2>> ends_; // by line: its first and last points
+    std::deque<bool> is_loop_;                       // by line
     Points points_;
     std::vector<NetworkLine> edges_;
-    std::vector<std::array<std::uint32_t, 2>> edge_names_; // by edge: its line, and its place there
+    std::vector<std::array<std::uint32_t, 2>>
+        edge_names_; // by edge: its line, and its number there
     std::vector<NetworkLine> pieces_;
     std::vector<std::uint32_t> edge_of_piece_;
 };

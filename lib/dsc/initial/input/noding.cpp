@@ -100,8 +100,8 @@ public:
         }
     }
 
-    // A point on an edge, or of another loop within the tolerance of it, becomes part of it. An
-    // edge that is bent by this may then lie on further points.
+    // Inserts points into edges: points on an edge, and points of another loop within the tolerance
+    // of it. An edge that is bent by this may then lie on further points.
     void join_edges() {
         bool any = true;
         while (any) {
@@ -204,7 +204,7 @@ public:
             }
             std::vector<std::uint32_t>& list = shapes.edges.back().shapes;
             if (!list.empty() && list.back() == shape) {
-                list.pop_back(); // both ways: no border of the shape
+                list.pop_back(); // in both directions: no border of the shape
             } else {
                 list.push_back(shape);
             }
@@ -240,7 +240,7 @@ private:
         return are_apart(one, other) && are_apart(other, one);
     }
 
-    // The same bits for a border of two shapes, which has an edge of either.
+    // The result is bitwise the same for both edges of a border between two shapes.
     [[nodiscard]] Point<double> crossing_of(const ChainEdge& one, const ChainEdge& other) const {
         std::array<std::pair<std::uint32_t, std::uint32_t>, 2> edges{
             std::minmax({one.from, one.to}), std::minmax({other.from, other.to})};
@@ -355,7 +355,7 @@ NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double
     std::erase_if(loops, [](const Loop& loop) { return loop.points.empty(); });
     const Clipped clipped = clip_to_domain<Real>(loops, lattice, tolerance);
     std::optional<Noding> noding;
-    // Joined edges may cross others, so that this takes a round or two.
+    // Joined edges may cross others, so one or two rounds are needed.
     for (int rounds = 8;; --rounds) {
         noding.emplace(loops, lattice, tolerance);
         noding->join_points();

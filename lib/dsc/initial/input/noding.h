@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The borders of shapes as edges that have nothing in common but ends: shapes are clipped at the
-// sides of the domain, points within a tolerance of another shape's border become part of it.
+// The borders of shapes as edges that have only ends in common: shapes are clipped at the sides of
+// the domain, and points within a tolerance of another shape's border are inserted into it.
 #pragma once
 
 #include "dsc/initial/input/clipping.h"
@@ -29,8 +29,9 @@ struct NodedShapes {
     bool is_as_given = false; ///< nothing was clipped or joined, and nothing touches
 };
 
-/// Clips the loops and joins what is closer than `tolerance`. Throws InputError where edges cross,
-/// unless they are of different shapes and `may_cross`: then the crossing becomes a common point.
+/// Clips the loops and joins borders that are closer than `tolerance`. Throws InputError where
+/// edges cross, unless they are of different shapes and `may_cross`: then the crossing becomes a
+/// common point.
 template <class Real>
 NodedShapes node_shapes(std::vector<Loop>& loops, const Lattice& lattice, double tolerance,
                         bool may_cross = false);

@@ -17,7 +17,7 @@ namespace dsc::initial {
 namespace {
 
 using Points = std::vector<Point<double>>;
-using Shapes = std::vector<std::uint32_t>; // those that cover a region, ascending
+using Shapes = std::vector<std::uint32_t>; // shapes that cover a region, ascending
 
 // --- which shapes cover the regions on both sides of each edge -----------------------------------
 
@@ -77,7 +77,7 @@ public:
         }
     }
 
-    // The shapes that cover the region at a side of an edge.
+    // The shapes that cover the region at one side of an edge.
     [[nodiscard]] const Shapes& covering(std::uint32_t side) const { return covering_[side]; }
     [[nodiscard]] std::uint32_t region(std::uint32_t side) const { return region_[side]; }
 
@@ -156,7 +156,7 @@ public:
         }
     }
 
-    // On the left and right of each edge.
+    // The phases on the left and right of each edge.
     std::vector<std::array<Phase, 2>> of_edges() {
         if (options_.coverage != Coverage::open) {
             measure();
@@ -215,7 +215,7 @@ private:
         }
     }
 
-    // Whether `one` rather than `other` gets a region that either may have.
+    // Whether `one`, rather than `other`, gets a region that both may get.
     [[nodiscard]] bool goes_before(std::uint32_t one, std::uint32_t other,
                                    const std::map<std::uint32_t, double>& shared) const {
         const auto share = [&](std::uint32_t k) {
@@ -283,7 +283,7 @@ private:
             const auto is_around = [&](std::uint32_t k) {
                 return !around.empty() && around.back() == shapes_[k].phase;
             };
-            // Of two shapes with one region, one may be the hole that the other fills.
+            // If two shapes cover a region, one may be a hole that the other fills.
             if (i + 1 < covering.size() && !is_around(covering[i]) &&
                 sides_of_[covering[i]] == sides_of_[covering[i + 1]]) {
                 if (!is_around(covering[i + 1])) {
@@ -335,7 +335,7 @@ private:
     struct Region {
         double area = 0;
         double border = 0;                      // its length
-        std::map<std::uint32_t, double> shared; // the part of it with each shape beyond
+        std::map<std::uint32_t, double> shared; // length of its border with each shape
     };
 
     std::span<const Shape> shapes_;

@@ -11,10 +11,11 @@
 
 namespace dsc::initial {
 
-/// The phases on the left and right of each edge, seen from `from` to `to`. Unless the coverage is
-/// open, the domain counts as a loop of one more shape, after the last. Throws InputError where
-/// shapes overlap of which none lies in the other, where one has the same phase as its
-/// surroundings, and where gaps are refused. O(n log n) for n edges.
+/// The phases on the left and right of each edge, seen from `from` to `to`. If gaps are refused or
+/// given away, the sides of the domain count as the loop of one additional shape, after the last,
+/// because they bound gaps too. Throws InputError where shapes overlap of which none lies in the
+/// other, where one has the same phase as its surroundings, and where gaps are refused. O(n log n)
+/// for n edges.
 std::vector<std::array<Phase, 2>> phases_beside(const NodedShapes& noded,
                                                 std::span<const Shape> shapes,
                                                 const InitialOptions& options);

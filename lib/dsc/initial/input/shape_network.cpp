@@ -32,7 +32,8 @@ struct Border {
     Phase right;
 };
 
-// The curves that borders make, cut where more than two of them meet, and on sides of the domain.
+// The curves that consist of borders, cut where more than two borders meet, and on sides of the
+// domain.
 class Curves {
 public:
     Curves(const Points& points, std::vector<Border> borders, const Lattice& lattice)

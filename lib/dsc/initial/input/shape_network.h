@@ -12,8 +12,8 @@ namespace dsc::initial {
 
 struct ShapeNetwork {
     std::vector<Line> lines;           ///< curves, not yet checked
-    Phase background = exterior_phase; ///< of the domain, if there is no curve
-    bool has_outside = false;          ///< the last shape is what surrounds the domain
+    Phase background = exterior_phase; ///< phase of the domain, if there is no curve
+    bool has_outside = false;          ///< the last shape is the surroundings of the domain
 };
 
 /// The curves between the shapes. Empty if the shapes are simple polygons that lie apart, inside

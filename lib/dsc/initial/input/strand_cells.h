@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the points and edges of strands are, while they are thinned.
+// A search grid of the points and edges of strands, used while these are thinned.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -15,15 +15,15 @@
 
 namespace dsc::initial {
 
-/// A point of a strand, or one in place of two of them.
+/// A point of a strand, or a point that replaced two of them.
 struct StrandNode {
     Point<double> place{0, 0};
     std::uint32_t previous = no_id; // none at the first end of an open strand
     std::uint32_t next = no_id;
     std::uint32_t strand = 0;
-    std::uint32_t first = no_id; // of the given points that it stands for
+    std::uint32_t first = no_id; // first of the given points that it represents
     std::uint32_t last = no_id;
-    std::uint32_t into = no_id; // one that is left instead, or was so once
+    std::uint32_t into = no_id; // the point that replaced this one, if any
 
     [[nodiscard]] bool is_there() const { return into == no_id; }
 };
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    // Row by row, since a triangle may be long and thin.
+    // Visits cells row by row, because a triangle may be long and thin.
     template <class Visit>
     bool visit_cells(const Corners& corners, Visit visit) const {
         Corners at;

@@ -139,7 +139,8 @@ private:
         }
     }
 
-    // Removes the end of a short edge that costs less, or merges both if neither may be removed.
+    // Removes the end of a short edge with the lower cost, or merges both if neither may be
+    // removed.
     void shorten(const ShortEdge& edge) {
         const Removal from = removal(edge.from);
         const Removal to = removal(edge.to);
@@ -168,9 +169,9 @@ private:
         deviation_ = std::max(deviation_, done.deviation);
     }
 
-    // Puts one vertex in place of both ends of a short edge, so far from the edge that areas are
-    // those that were given (compare B. Kronenfeld, L. V. Stanislawski, B. P. Buttenfield,
-    // T. Brockmeyer, "Simplification of polylines by segment collapse", 2020).
+    // Replaces both ends of a short edge by one vertex, at a distance from the edge that restores
+    // the given areas (compare B. Kronenfeld, L. V. Stanislawski, B. P. Buttenfield, T. Brockmeyer,
+    // "Simplification of polylines by segment collapse", 2020).
     void merge(const ShortEdge& edge) {
         const StrandNode from = nodes_[edge.from];
         const StrandNode to = nodes_[edge.to];
@@ -237,14 +238,14 @@ private:
             is_any_in({a, node.place, b})) {
             return {};
         }
-        // The area that is lost here is gained there.
+        // Area lost on one side of the curve is gained on the other.
         const bool is_lost_again = state.area_change * result.area_change > 0;
         result.cost = is_lost_again ? 2 * result.deviation : result.deviation;
         return result;
     }
 
-    // The largest distance of the points that were given from edges that are to join two vertices.
-    // A merged vertex stands for some that may be near its other edge.
+    // The largest distance of the given points from the edges that will join two vertices. A merged
+    // vertex represents some given points that may be near its other edge.
     [[nodiscard]] double deviation_from(Points path, std::uint32_t from, std::uint32_t to) const {
         const StrandNode& first = nodes_[from];
         const StrandNode& last = nodes_[to];
@@ -285,9 +286,9 @@ private:
         });
     }
 
-    // Whether an edge meets the way of a vertex from `a` to `b`, other than those that end at it.
-    // Edges are looked for by those that were given, which are no farther away than points have
-    // been moved and left out.
+    // Whether an edge, other than those at the vertex, meets the way of a vertex from `a` to `b`.
+    // Edges are searched by the given edges that they replace, which are no farther away than
+    // points have been moved and left out.
     bool is_crossed(const Point<double>& a, const Point<double>& b) {
         const auto meets = [&](std::uint32_t i) {
             if (i == no_id || nodes_[i].next == no_id) {
@@ -310,7 +311,7 @@ private:
                cells_.any_near({low, high, Point<double>(low.x(), high.y())}, any_meets);
     }
 
-    // The vertex at which the part of the strand begins that a given point was on.
+    // The vertex at which the edge begins that now represents a given point.
     std::uint32_t left_of(std::uint32_t i) {
         while (nodes_[i].into != no_id) {
             if (const std::uint32_t after = nodes_[nodes_[i].into].into; after != no_id) {

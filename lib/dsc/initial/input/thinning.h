@@ -2,8 +2,8 @@
 // Leaves out points of the interface that are too close together for the mesh: detail below the
 // edge length would give permanent needles. Vertices are removed at the shortest edges first
 // (compare M. Visvalingam, J. D. Whyatt, "Line generalisation by repeated elimination of points",
-// 1993), so that ends of curves, and all points at long edges, stay as they are. Where that would
-// change areas or the shape by too much, the ends of a short edge become one point.
+// 1993), so that ends of curves, and all points at long edges, stay as they are. If that would
+// change areas or the shape too much, the ends of a short edge become one point.
 #pragma once
 
 #include "dsc/initial/initial_complex.h"
@@ -18,8 +18,8 @@ namespace dsc::initial {
 /// Points at edges shorter than this times the edge length are left out. Below it, triangles beside
 /// an edge grow by more than the mesh can follow once the interface moves.
 inline constexpr double finest_edge = 0.2;
-/// No point that is left out lies farther than this times the edge length from the edge in its
-/// place: half of the finest edge, so that a tooth of two such edges can be removed.
+/// A left-out point lies no farther than this times the edge length from the edge that replaces it:
+/// half of the finest edge, so that a tooth of two such edges can be removed.
 inline constexpr double max_deviation = 0.1;
 /// The area on one side of a curve changes by less than this times the edge length and the length
 /// of the curve, and by less than this times the area inside a closed one. On a smooth curve this
@@ -34,13 +34,13 @@ struct Strand {
 
 /// A point that is left.
 struct Kept {
-    std::uint32_t index; ///< of the given point, or of the first of those that became this one
+    std::uint32_t index; ///< of the given point, or of the first of those merged into this one
     Point<double> place; ///< within `box`, and rounded to `Real`
 };
 
-/// For each strand the points that are left; closed ones are closed by the caller. The strands that
-/// result have no new common points. Adds to `report` what was left out. O(n log n) for n points at
-/// about the same distance.
+/// The remaining points of each strand; the caller closes closed ones. The resulting strands have
+/// no new common points. Counts left-out points in `report`. O(n log n) for n points at about the
+/// same distance.
 template <class Real>
 std::vector<std::vector<Kept>> thin(std::span<const Strand> strands, const Rectangle& box,
                                     double edge_length, InputReport& report);
