@@ -26,8 +26,8 @@ using StarWatch =
 /// vertices whose stars changed, and the list of the interface is updated.
 template <class Real>
 struct Pass {
-    std::string name;                     ///< a few words, for lists of the passes
-    std::function<void(Work<Real>&)> run; ///< does the work of one submesh
+    std::string name;                     ///< the name, in a few words, for lists of passes
+    std::function<void(Work<Real>&)> run; ///< processes one submesh
     /// True for a pass that keeps the active set and the interface list up to date itself, with the
     /// functions of edits.h; its log is then not read.
     bool attends = false;
@@ -47,8 +47,8 @@ struct Algorithm {
 /// Interface remeshing (algorithm 5.1 of the thesis, lines 6 and 7), with all vertices at the same
 /// time level, before anything moves. Splits interface edges that are too long, with the
 /// interpolator of the options; collapses interface vertices at short edges if the curve stays in
-/// place. Rewrites `work.interface`; if a submesh may not do what is needed, the vertex stays in
-/// the list and is deferred as well. O(interface vertices of the submesh).
+/// place. Rewrites `work.interface`; if the submesh may not make a necessary edit, the vertex stays
+/// in the list and is deferred as well. O(interface vertices of the submesh).
 template <class Real>
 void remesh_interface(Work<Real>& work);
 

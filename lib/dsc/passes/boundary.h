@@ -23,8 +23,8 @@ struct BoundaryLimits {
     Real longest = 0;
     Real shortest = 0;
     Real min_quality = 0; ///< equation 4, not squared
-    /// A shorter edge blocks the interface that moves along it. It is collapsed even if the merged
-    /// edge is too long and split again: as a length, at most half of `longest`.
+    /// A shorter boundary edge blocks the interface that moves along it. It is collapsed even if
+    /// the merged edge is too long and split again: as a length, at most half of `longest`.
     Real blocking = 0;
 };
 
@@ -37,8 +37,8 @@ struct BoundaryEdge {
     Real squared = 0;       ///< length
 };
 
-/// The incident edge that has the domain on its left as seen from the centre, or the other one. The
-/// star must be open.
+/// The incident edge with the domain on its left, seen from the centre, or the other one. The star
+/// must be open.
 template <class Real>
 BoundaryEdge<Real> boundary_edge(const Star<Real>& star, bool is_first) {
     BoundaryEdge<Real> incident_edge;
@@ -59,8 +59,8 @@ Real merged_on_boundary(const Star<Real>& star) {
 
 /// Whether the centre, a vertex of the domain boundary inside one phase, should be collapsed:
 /// because a boundary edge there is short, or because its star is poor. On a curved side a short
-/// edge is no reason unless it blocks what slides there: each collapse changes the shape of the
-/// domain a little.
+/// edge is collapsed only if it blocks a vertex that slides there, because each collapse changes
+/// the shape of the domain slightly.
 template <class Real>
 bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
                                  bool is_poor = false) {
@@ -78,9 +78,9 @@ bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Re
            (merged_on_boundary(star) < limits.longest && (is_poor || (is_short && is_straight())));
 }
 
-/// Whether the boundary edge with the domain on its left, as seen from the centre, is too long; or
-/// the other one. With uniform limits the first suffices, since each edge is the first one at one
-/// of its ends; otherwise an edge is too long if it is so at either end.
+/// Whether the boundary edge with the domain on its left, seen from the centre, or the other one,
+/// is too long. With uniform limits the first suffices, since each edge is the first one at one of
+/// its ends; otherwise an edge is too long if it is so at either end.
 template <class Real>
 bool should_split_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
                            bool is_first = true) {
@@ -123,7 +123,7 @@ bool collapse_on_boundary(Work<Real>& work, const Star<Real>& star,
 
 /// Splits the domain boundary's edge with the domain on its left, as seen from the centre, or the
 /// other one: on the curve that the side follows at the centre. The new vertex is activated.
-/// `out_of_ids` and `on_submesh_boundary`: another submesh has to do it.
+/// After `out_of_ids` and `on_submesh_boundary` another submesh must make the split.
 template <class Real>
 SplitResult split_boundary(Work<Real>& work, const Star<Real>& star, bool is_first = true) {
     const BoundaryEdge<Real> incident_edge = boundary_edge(star, is_first);

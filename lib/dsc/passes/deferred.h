@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Work that a submesh may not do, and defers to another colour.
+// Work that a submesh may not do and therefore defers to another colour.
 #pragma once
 
 #include "dsc/base/types.h"
@@ -30,7 +30,7 @@ enum class DeferredKind : std::uint8_t {
 /// One entry of the queue.
 template <class Real>
 struct Deferred {
-    /// The route of an entry that no submesh takes: it is processed serially at the end.
+    /// The route of an entry that is processed serially at the end, because no submesh takes it.
     static constexpr std::uint32_t nowhere = 0xffffffffU;
 
     std::uint32_t vertex;          ///< the vertex concerned
@@ -43,11 +43,12 @@ struct Deferred {
     [[nodiscard]] MovingVertex<Real> moving_vertex() const { return {vertex, x, y}; }
 };
 
-/// Not thread-safe: each submesh has its own queue, and others read it after the submesh has ended.
+/// A queue of deferred work. Not thread-safe: each submesh has its own, which others read after the
+/// submesh has ended.
 template <class Real>
 struct DeferredQueue {
     std::vector<Deferred<Real>> entries; ///< in the order in which they were deferred
-    std::size_t routed = 0;              ///< entries before this one have their route
+    std::size_t routed = 0;              ///< entries before this one have a route
 
     /// Defers a visit of the star of `v`. Amortised O(1), as are the next three.
     void star(std::uint32_t v) { put(v, DeferredKind::star); }

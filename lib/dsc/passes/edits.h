@@ -34,8 +34,8 @@ Verdict collapse_centre(Work<Real>& work, const Star<Real>& star, Corner corner,
     return verdict;
 }
 
-/// The same into link vertex i, for a centre inside one phase whose whole star is owned: only
-/// inversion can prevent it (`star_collapse_guard`).
+/// Collapses the centre into link vertex i, if the centre is inside one phase and its whole star is
+/// owned: only inversion can prevent it (`star_collapse_guard`).
 template <class Real>
 Verdict collapse_star(Work<Real>& work, const Star<Real>& star, std::uint32_t i) {
     const Verdict verdict = star_collapse_guard(work.complex, star, i);
@@ -47,7 +47,7 @@ Verdict collapse_star(Work<Real>& work, const Star<Real>& star, std::uint32_t i)
     return verdict;
 }
 
-/// Which vertices are activated after a split.
+/// The vertices that are activated after a split.
 enum class Wake : std::uint8_t {
     far_end, ///< the new vertex, and the end of the edge that is not being visited
     all,     ///< the new vertex, and those of the two triangles

@@ -99,7 +99,8 @@ void move_vertices(Work<Real>& work) {
             stay_on_boundary(star, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
-            // It would leave the submesh: the next colour looks for deferred vertices inside.
+            // The vertex would leave the submesh, inside which the next colour looks for deferred
+            // vertices.
             defer(work, moving_vertex);
             continue;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Everything that an application chooses (thesis, section 2.2): sizes, thresholds, interpolators,
-// integrator, when to stop. Lengths are relative to `edge_length`, qualities are those of equation
-// 4 of the thesis (0 to 1).
+// All options of an application (thesis, section 2.2): sizes, thresholds, interpolators,
+// integrator, limits of a step. Lengths are relative to `edge_length`, qualities are those of
+// equation 4 of the thesis (0 to 1).
 #pragma once
 
 #include "dsc/base/names.h"
@@ -18,16 +18,16 @@ namespace dsc {
 
 /// Thresholds of one phase.
 struct PhaseThresholds {
-    double collapse_quality = 0.35; ///< below: collapse a vertex, if that raises the worst quality
-    double smooth_quality = 0.65;   ///< below: smooth, if that raises the worst quality
+    double collapse_quality = 0.35; ///< poorer: collapse a vertex, if that raises the worst quality
+    double smooth_quality = 0.65;   ///< poorer: smooth, if that raises the worst quality
     double longest = 1.6;  ///< incident edges longer than this times the edge length are split
     double shortest = 0.4; ///< incident edges shorter than this times the edge length are collapsed
-    /// Vertices all of whose incident edges are shorter than this times the edge length may be
-    /// collapsed too: they remain from places where the mesh was finer.
+    /// Vertices whose incident edges are all shorter than this times the edge length may be
+    /// collapsed too: they remain from a time when the mesh was finer there.
     double crowded = 0.9;
 };
 
-/// Which interface vertices at short edges may be removed. Features never are.
+/// The interface vertices at short edges that may be removed. Features never are.
 enum class Coarsening : std::uint8_t {
     deviation, ///< those whose removal leaves the curve in place
     length,    ///< all, as in the thesis
@@ -72,7 +72,7 @@ struct InterfaceThresholds {
     double finest = 0.2;
 };
 
-/// All that an application chooses for a simulation.
+/// The options of a simulation.
 template <class Real>
 struct Options {
     Real edge_length = 0; ///< target length of edges, in units of the domain; must be positive
@@ -81,7 +81,7 @@ struct Options {
     /// target instead of the edge length. Uniform by default.
     SizeOptions<Real> sizes = {};
 
-    PhaseThresholds phases = {};                 ///< of every phase without thresholds of its own
+    PhaseThresholds phases = {}; ///< thresholds of every phase that is not in `per_phase`
     std::vector<PhaseThresholds> per_phase = {}; ///< by phase number; may be shorter
     InterfaceThresholds interface = {};          ///< of all interfaces
 
@@ -97,10 +97,10 @@ struct Options {
     Insertion insertion = Insertion::cubic;          ///< where new interface vertices go
     InsertionFunction<Real> insertion_function = {}; ///< replaces `insertion` if set
 
-    /// Not 0: process the interface in a different order in each step.
+    /// If not 0, the interface is processed in a different order in each step.
     std::uint64_t shuffle_seed = 0;
 
-    double sub_step = 0.6;     ///< the farthest that a vertex moves at a time, in edge lengths
+    double sub_step = 0.6; ///< largest distance that a vertex moves in a sub-step, in edge lengths
     int max_sub_steps = 10000; ///< of one step; then the step gives up and reports it
     /// Bound on the passes of movement and mesh update in one sub-step, which normally ends much
     /// earlier: when all vertices have arrived or none makes progress. A step that reaches the
@@ -108,7 +108,7 @@ struct Options {
     int max_passes = 1000;
     int max_idle_passes = 6; ///< passes without any progress before the sub-step ends
 
-    /// The thresholds that hold for a phase. O(1).
+    /// The thresholds of a phase. O(1).
     [[nodiscard]] const PhaseThresholds& thresholds(Phase phase) const {
         return phase < per_phase.size() ? per_phase[phase] : phases;
     }

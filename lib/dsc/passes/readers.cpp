@@ -155,13 +155,14 @@ void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32
     for (const Edit& edit : edits) {
         switch (edit.kind) {
         case EditKind::split:
-            // Its id may have been that of an interface vertex before.
+            // The new vertex may have the id of a former interface vertex.
             add({edit.vertex});
             break;
         case EditKind::collapse: add({edit.ends[0], edit.ends[1]}); break;
         case EditKind::insert_vertex:
         case EditKind::remove_vertex: add({edit.vertex}); break;
-        // The triangle may have other vertices by now; the record names those at the edit.
+        // The triangle may have other vertices by now; the record has those at the time of the
+        // edit.
         case EditKind::relabel:
         case EditKind::insert_triangle:
         case EditKind::remove_triangle: add({edit.ends[0], edit.ends[1], edit.apexes[0]}); break;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Readers of the log of edits: which vertices have to be visited again, and which are on the
-// interface now. The default passes do this as they go; the readers do it for the passes of an
-// application, and for what an application does to the mesh between two steps.
+// Readers of the log of edits: they find the vertices that must be visited again, and those now on
+// the interface. The default passes do this themselves; the readers do it for passes of an
+// application, and for its edits between two steps.
 #pragma once
 
 #include "dsc/passes/algorithm.h"
@@ -31,7 +31,7 @@ template <class Real>
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).
 [[nodiscard]] std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits);
-/// The same into `changed`, whose entries are replaced and whose memory is reused.
+/// Writes the same to `changed`, whose entries are replaced and whose memory is reused.
 void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed);
 
 /// Removes the vertices in `changed` (ascending) from the list. O(list log changed).

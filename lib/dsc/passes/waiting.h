@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Vertices that have yet to arrive, because another submesh has to move something first or other
-// vertices block them: their stars are distorted only for the moment. Where that matters, the stars
+// Vertices that have not arrived yet, because another submesh must move a vertex first or because
+// other vertices block them: their stars are distorted only temporarily, so edits of these stars
 // are left to a later colour or pass.
 #pragma once
 
@@ -18,10 +18,10 @@ bool is_waiting(const Complex<Real>& complex, std::uint32_t vertex) {
     return (flags & vertex_on_way) != 0 && (flags & vertex_contact) != vertex_contact;
 }
 
-/// Which stars are not edited while one of their vertices has yet to arrive.
+/// The stars that are not edited while one of their vertices has not arrived yet.
 struct WaitingRule {
-    bool in_advected_phases = false; ///< whose triangles have to be kept
-    bool everywhere = false;         ///< because fields mix values of two times there
+    bool in_advected_phases = false; ///< stars whose triangles must be kept
+    bool everywhere = false;         ///< because fields would mix values of two times there
 
     [[nodiscard]] bool applies() const { return in_advected_phases || everywhere; }
 };

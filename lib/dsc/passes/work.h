@@ -38,28 +38,28 @@ struct Pass;
 /// submesh. Nothing here grows with the mesh.
 template <class Real>
 struct Work : Unmovable {
-    /// Refers to both: the executor that owns the work keeps a copy of the options.
+    /// Keeps references to both; the executor that owns the work keeps a copy of the options.
     Work(Complex<Real>& complex_in, const Options<Real>& options_in)
         : complex(complex_in),
           options(options_in), submesh{complex_in, Region{}, complex_in.ids, log} {}
 
-    Complex<Real>& complex;       ///< the complex that is worked on
+    Complex<Real>& complex;       ///< the complex on which the passes work
     const Options<Real>& options; ///< those of the simulation
     EditLog log;                  ///< the edits made here
     Submesh<Real> submesh;        ///< notes in `log`
 
     std::vector<std::uint32_t> interface; ///< interface vertices, roughly in the order of the curve
     Trajectory<Real> trajectory;          ///< of the interface vertices
-    std::vector<MovingVertex<Real>> moving_vertices; ///< they have yet to reach their targets
+    std::vector<MovingVertex<Real>> moving_vertices; ///< not at their targets yet
     /// Stars that the interface remeshing has not changed, in the order of `interface`, so that
-    /// movement need not walk round them again. Invalid once a pass of motion has run.
+    /// movement need not gather them again. Invalid once a pass of motion has run.
     std::vector<CachedStar> stars;
     std::vector<std::uint32_t> active; ///< vertices whose star must be visited; no duplicates
     std::uint32_t epoch = 0;           ///< a vertex with this stamp is in `active` already
     /// Squared quality at or below which the mesh update lists a star in `poor`; -1: never.
     double watched_quality = -1;
-    /// Vertices whose stars have such poor triangles after the mesh update, or were not examined
-    /// after their last edit; with duplicates.
+    /// Vertices whose stars have triangles of that quality after the mesh update, or were not
+    /// examined after their last edit; with duplicates.
     std::vector<std::uint32_t> poor;
     /// Vertices to be visited in the next mesh update because the target length of edges changes
     /// there, or because vertices had yet to arrive (waiting.h); with duplicates.
@@ -77,12 +77,11 @@ struct Work : Unmovable {
     /// Changes of the interface by passes of an application: see `run_pass`.
     std::vector<std::uint32_t> changed_interface;
 
-    /// The executor's passes of remeshing: the first one shows stars to those with a `watch`.
+    /// The executor's passes of remeshing; the first one shows its stars to passes with a `watch`.
     std::span<const Pass<Real>> remeshing;
 
-    std::size_t progressed =
-        0;                   ///< moving vertices that moved towards their targets in the last pass
-    std::size_t arrived = 0; ///< how many of these reached them
+    std::size_t progressed = 0; ///< moving vertices that moved in the last pass
+    std::size_t arrived = 0;    ///< number of these that reached them
 
     // Scratch, kept so that nothing is allocated from step to step.
     Star<Real> star;                           ///< the star under examination

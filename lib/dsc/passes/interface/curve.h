@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface as a curve, seen from the star of one of its vertices: where it continues smoothly,
-// how it bends, and how close its next sheet is.
+// The interface as a curve, seen from the star of one of its vertices: its smooth continuation, its
+// bend, and the distance to the next sheet.
 #pragma once
 
 #include "dsc/base/types.h"

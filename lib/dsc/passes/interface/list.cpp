@@ -23,7 +23,8 @@ void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
     if (seed == 0) {
         return;
     }
-    // Fisher and Yates, written out because std::shuffle differs between standard libraries.
+    // The shuffle of Fisher and Yates, written out because std::shuffle differs between standard
+    // libraries.
     std::mt19937_64 random(seed);
     for (std::size_t i = list.size(); i > 1; --i) {
         std::swap(list[i - 1], list[random() % i]);
@@ -32,11 +33,13 @@ void shuffle_interface(std::vector<std::uint32_t>& list, std::uint64_t seed) {
 
 template <class Real>
 std::vector<std::uint32_t> collect_interface(const Complex<Real>& complex) {
-    // next[v]: where the interface half-edge with the larger phase on its left leads from v.
+    // next[v]: the end of the interface half-edge that starts at v with the larger phase on its
+    // left.
     std::vector<std::uint32_t> list;
     std::vector<std::uint8_t> seen(complex.vertex_bound(), 0);
     const auto follow = [&](Corner c) {
-        // c is opposite to the half-edge from next(c) to prev(c); continue around the larger phase.
+        // The corner c is opposite to the half-edge from next(c) to prev(c); the curve continues
+        // around the larger phase.
         while (true) {
             const std::uint32_t v = complex.vertex(next(c));
             if (seen[v] != 0) {
@@ -118,7 +121,7 @@ public:
         }
         const Real signed_turn = turn_angle<Real>(ends->front(), at, ends->back());
         const Real turn = std::abs(signed_turn);
-        // The blunt end of a strip: each of its vertices is needed for the width.
+        // At the blunt end of a strip each vertex is needed to keep the strip's width.
         constexpr Real turns_back = Real(2.6); // radians
         const Real here = turn_at(v);
         if (turn > turns_back && here * signed_turn > 0 && std::cos(here) < cosine) {

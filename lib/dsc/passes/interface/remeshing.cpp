@@ -36,8 +36,8 @@ public:
           gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
           sizes_(work.options.sizes, work.options.edge_length),
           follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // A boundary edge ahead that is shorter than a sub-step blocks the motion. A poor
-          // triangle for a while is better than a blocked vertex.
+          // A boundary edge ahead of an end that is shorter than a sub-step blocks the motion, so
+          // it is collapsed even if a triangle becomes poor for a while.
           boundary_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
                     square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
 
@@ -66,7 +66,8 @@ private:
         return ratio * ratio;
     }
 
-    // How long an interface edge may be, squared; `local` is what the shape at one end allows.
+    // The largest allowed squared length of an interface edge; `local` is the limit by the shape at
+    // one end.
     Real allowed(Real local, const Point<Real>& from, const Point<Real>& to) const {
         const Real here = longest_squared_ * stretch(midpoint<Real>(from, to));
         return local < longest_squared_ ? std::min(local, here) : here;
@@ -127,8 +128,7 @@ private:
                                  should_split_boundary(star, boundary_at(star))));
     }
 
-    // Boundary edges are as fine as the interface, where the interface is finer than the edge
-    // length.
+    // If the interface is finer than the edge length, boundary edges are as fine as the interface.
     BoundaryLimits<Real> boundary_at(const Star<Real>& star) const {
         const Real share = std::min(Real(1), stretch({star.x0, star.y0}));
         return {share * boundary_.longest, share * boundary_.shortest, boundary_.min_quality,
@@ -166,7 +166,8 @@ private:
         return gathered;
     }
 
-    // True if the star is stale after an edit; the vertices to be kept are then in the list.
+    // Returns true if the star is stale after an edit; the vertices to be kept are then in the
+    // list.
     bool keep_boundary(std::uint32_t v, const Star<Real>& star) {
         const BoundaryLimits<Real> boundary = boundary_at(star);
         if (may_collapse_on_boundary(star, boundary) &&
@@ -287,7 +288,7 @@ private:
     }
 
     // --- refinement ---------------------------------------------------------------------------
-    // How long an interface edge at the centre may be, squared, as the shape there requires.
+    // The largest allowed squared length of interface edges at the centre, by the shape there.
     Real longest_squared(const Star<Real>& star, const IncidentEdges& incident) const {
         if (!follows_shape_ || incident.count != 2) {
             return longest_squared_;
@@ -306,8 +307,8 @@ private:
     }
 
     // The interface edge to be split; no_id if there is none. An edge longer than the general limit
-    // is found only from the end that has the larger phase on its left, so that each edge is found
-    // once. An edge too long for the shape at the centre is found from there.
+    // is split only from the end at which the larger phase is on its left, so that each edge is
+    // found once. An edge too long for the shape at the centre is split from the centre.
     std::uint32_t long_edge(const Star<Real>& star, const IncidentEdges& incident) const {
         const Point<Real> p(star.x0, star.y0);
         const Real local = longest_squared(star, incident);
@@ -389,7 +390,8 @@ private:
         return true;
     }
 
-    // A new vertex must lie in the submesh that makes it: the next colour looks for it there.
+    // A new vertex must lie in the submesh that makes it, because the next colour looks for it
+    // there.
     bool owns_point(const Point<Real>& point) const {
         return owns_place(work_.submesh.region, point);
     }
@@ -403,7 +405,7 @@ private:
     const InterfaceThresholds& thresholds_;
     Real longest_squared_;
     Real shortest_squared_;
-    Real bypass_squared_; // of an edge that is merged to let an end of the curve pass
+    Real bypass_squared_; // smallest quality after a collapse that lets an end of the curve pass
     Real deviation_squared_;
     Real degenerate_squared_;
     Real finest_squared_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Keeps the targets of edges up to date as the mesh update visits stars: a changed target is
 // stored, and the neighbours that it affects are visited in the next pass. A change thus spreads by
-// one star per pass, and no farther than it matters. Flips and smoothing nearby may change a target
+// one star per pass, as far as it affects targets. Flips and smoothing nearby may change a target
 // without a visit; the slow sweep of `Simulation` finds such targets. Only owned stars are read and
 // written: the result does not depend on the threads.
 #pragma once
@@ -34,7 +34,7 @@ public:
 
     [[nodiscard]] bool is_uniform() const { return field_ == nullptr; }
 
-    /// The target at the centre of an owned star, brought up to date. O(degree); O(1) if all edges
+    /// Updates and returns the target at the centre of an owned star. O(degree); O(1) if all edges
     /// are of one length.
     Real follow(const Star<Real>& star) {
         return is_uniform() ? work_.options.edge_length : follow_star(star);
@@ -45,8 +45,9 @@ public:
         return is_uniform() ? work_.options.edge_length : (*field_)[Vertex{v}].length;
     }
 
-    /// Call after removing the centre: its link is visited in the next pass, since this one may
-    /// have visited it already. Coarsening thus continues until no vertex needs to be removed.
+    /// Call after removing the centre: its link is visited again in the next pass, because this
+    /// pass may have visited it already. Coarsening thus continues until no vertex needs to be
+    /// removed.
     void look_again(const Star<Real>& star) {
         if (!is_uniform()) {
             work_.resized.insert(work_.resized.end(), star.link.begin(),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the mesh update needs to know of a star: the thresholds of its phase, at the target length
-// of edges there; the edges to be split where triangles are needles; and the triangles after a
-// collapse.
+// Properties of a star for the mesh update: the thresholds of its phase for the local target
+// length; the edges to be split at needles; and the triangles after a collapse.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -13,7 +12,7 @@
 
 namespace dsc {
 
-/// All squared, as stars are examined.
+/// All lengths are squared, like those of stars.
 template <class Real>
 struct StarLimits {
     Real collapse; ///< quality
@@ -50,7 +49,7 @@ bool is_out_of_size(const StarReport<Real>& star, const StarLimits<Real>& limits
 /// An incident edge to be split; `no_id` if there is none.
 struct NeedleEdge {
     std::uint32_t incident_edge = no_id;
-    std::uint32_t base = no_id; ///< the incident edge beside it that is the short interface edge
+    std::uint32_t base = no_id; ///< the short interface edge beside it
 };
 
 /// The longest incident edge beside an interface edge of the star that is longer than the edge by

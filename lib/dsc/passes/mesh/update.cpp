@@ -117,7 +117,7 @@ public:
             visit(active[visited++]);
         }
         if (is_unfinished_ || visited < active.size()) {
-            constexpr Real far = 2; // squared: what the turns of one visit would have shortened
+            constexpr Real far = 2; // squared: more than the rounds of a visit can shorten
             const auto is_done = [&](std::uint32_t v) {
                 return !gather_star(v) || examine(star_, margins_).longest <=
                                               far * limits(star_.phase[0], sizes_.at(v)).longest;
@@ -212,8 +212,8 @@ private:
         while (!candidates.empty()) {
             const Corner c = candidates.back();
             candidates.pop_back();
-            // Its triangle belongs to an owned star, or to a flip in one: it is owned if it is
-            // alive.
+            // The triangle of c belongs to an owned star, or to a flip in one, so it is owned if it
+            // is alive.
             const TriangleRecord& near = complex_.triangles[triangle_of(c)];
             if (near.v[0] == no_id) {
                 continue;
@@ -275,7 +275,7 @@ private:
         return best_edge != no_id && finish_collapse(best_edge);
     }
 
-    /// How long the edges of link vertex i may become by a collapse, squared.
+    /// The largest squared length that edges of link vertex i may have after a collapse.
     Real longest_about(std::uint32_t i, const Limits& limit) const {
         const Real target = sizes_.at(star_.link[i]);
         return Real(1.44) *
@@ -400,9 +400,9 @@ private:
         if (found.incident_edge == no_id) {
             return false;
         }
-        // While an end of the short edge waits for another submesh to move something first, the
-        // edge is short only temporarily: a vertex made now would be removed in the next pass or
-        // colour, and made again.
+        // While an end of the short edge waits for another submesh to move a vertex, the edge is
+        // short only temporarily: a vertex made now would be removed in the next pass or colour,
+        // and made again.
         if (!work_.submesh.region.is_whole() &&
             (is_waiting(complex_, star_.vertex) || is_waiting(complex_, star_.link[found.base]))) {
             work_.deferred.star(star_.vertex);
@@ -442,10 +442,10 @@ private:
     Real needle_;
     // Uniform sizes and no per-phase thresholds: the limits are the same for every star.
     bool limits_are_fixed_;
-    Limits limits_;                     // of the star that is being visited
-    IncidentEdgeMargins<Real> margins_; // of the star that was examined last
+    Limits limits_;                     // limits of the star that is being visited
+    IncidentEdgeMargins<Real> margins_; // stamp of the star that was examined last
     WaitingRule waiting_ = waiting_rule(work_);
-    bool is_unfinished_ = false; // a visit has run out of turns
+    bool is_unfinished_ = false; // a visit has used all its rounds
 };
 
 } // namespace
