@@ -100,14 +100,14 @@ Executor<Real>::Executor(Complex<Real>& complex, const Options<Real>& options,
       whole_(complex, options_), works_{&whole_},
       sight_(std::make_unique<InterfaceSight<Real>>(in_shares_)) {
     complex.ids.collect(); // lent by an earlier executor
-    // Stamps of an earlier run must not be mistaken for those of this one.
+    // Stamps of an earlier run must not be mistaken for stamps of this run.
     for (const auto& vertex : complex.vertices) {
         epoch_ = std::max(epoch_, vertex.stamp);
     }
     whole_.epoch = new_stamp();
     whole_.remeshing = algorithm_.remeshing;
     whole_.interface = collect_moved(complex, options_);
-    // The first splits should not copy the whole mesh to make room for a few ids.
+    // Reserves a few ids, so that the first splits do not copy the whole mesh to make room.
     const std::size_t room = 64 + 2 * whole_.interface.size();
     complex.reserve(complex.vertex_bound() + room, complex.triangle_bound() + 2 * room);
 }
@@ -154,7 +154,7 @@ void Executor<Real>::keep_edits(bool keep) {
 
 template <class Real>
 void Executor<Real>::watch_quality(double quality) {
-    // With a margin above the rounding of either precision.
+    // The margin is larger than the rounding error of either precision.
     const double positive = std::max(quality, 0.0);
     for (Work<Real>* work : works_) {
         work->watched_quality = positive * positive * 1.01 + 1e-5;
@@ -210,8 +210,8 @@ void Executor<Real>::keep_up_whole() {
 template <class Real>
 TargetReport<Real> Executor<Real>::compute_targets(const Flow<Real>& flow, Real time, Real dt) {
     progress_ = Progress::under_way;
-    // A second remeshing might find more to do: if the flow threw after the first, the repeated
-    // sub-step goes on without another.
+    // If the flow threw after remeshing, the repeated sub-step does not remesh again, because a
+    // second remeshing might change more.
     if (!is_kept_up_ || whole_.time != time || whole_.dt != dt) {
         whole_.time = time;
         whole_.dt = dt;
@@ -265,7 +265,7 @@ void Executor<Real>::end_movement() {
     progress_ = Progress::none;
 }
 
-// The edits of the stages have been absorbed: their stars are active.
+// The edits of the stages have been absorbed, so their stars are active.
 template <class Real>
 std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     progress_ = Progress::under_way;
@@ -353,7 +353,7 @@ void Executor<Real>::collect_edits() {
         append(poor_, work->poor);
         work->poor.clear();
     }
-    if (poor_.size() > complex_.triangle_bound()) { // nobody takes it: a look at all costs less
+    if (poor_.size() > complex_.triangle_bound()) { // examining all stars costs less
         poor_.assign(1, no_id);
     }
     if (whole_.log.readers == 0) {
@@ -402,7 +402,7 @@ OperationCounts Executor<Real>::take_counts() {
 template <class Real>
 void Executor<Real>::archive(Archive& archive) {
     archive(whole_, epoch_, steps_, is_kept_up_);
-    if (archive.is_reading()) { // another mesh, of which nothing has been looked at
+    if (archive.is_reading()) { // another mesh, in which no star has been examined
         poor_.assign(1, no_id);
     }
 }

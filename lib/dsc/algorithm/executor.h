@@ -15,10 +15,10 @@
 
 namespace dsc {
 
-/// How far away the targets are.
+/// The distances of targets, and their errors.
 template <class Real>
 struct Reach {
-    Real farthest = 0; ///< the longest distance to a finite target
+    Real farthest = 0; ///< largest distance of a vertex to its finite target
     Real error = 0;    ///< the largest error estimate, a length, of an integrator that has one
     Vertex where = {}; ///< the first vertex with this error
 
@@ -46,7 +46,7 @@ struct TargetReport {
 
 /// The result of a movement.
 struct MoveReport {
-    std::uint32_t passes = 0;    ///< of movement and mesh update; the most that a submesh took
+    std::uint32_t passes = 0;    ///< of movement and mesh update; the largest of all submeshes
     std::uint64_t unreached = 0; ///< vertices that did not arrive
     std::uint64_t held = 0;      ///< vertices held because of a target that is not finite
 
@@ -85,9 +85,9 @@ public:
     /// these, may have to change.
     void resize(std::span<const std::uint32_t> list);
 
-    /// Takes account of edits that were not made by the executor: of the application between two
-    /// steps, of a stage between two sub-steps. Updates the interface and the stars to be visited.
-    /// O(edits and interface vertices); O(mesh) after a `renumber`.
+    /// Takes account of edits that the executor did not make: those of the application between two
+    /// steps, and of a stage between two sub-steps. Updates the interface and the stars to be
+    /// visited. O(edits and interface vertices); O(mesh) after a `renumber`.
     void absorb(std::span<const Edit> edits);
 
     // In a step.
@@ -97,7 +97,7 @@ public:
     /// after it; then velocities at `time` and targets at time + dt. `dt` is the step that the
     /// driver expects; it may change it once the velocities are known.
     virtual TargetReport<Real> compute_targets(const Flow<Real>& flow, Real time, Real dt);
-    /// New targets for another dt, from the same positions and for the same flow.
+    /// Finds new targets for another dt, from the same positions and for the same flow.
     virtual Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt);
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move();
@@ -135,7 +135,7 @@ protected:
         has_targets, ///< remeshing is done and targets are known, nothing moves yet
     };
 
-    /// The work whose list an interface vertex belongs to.
+    /// The work whose list has the interface vertex.
     virtual Work<Real>& home_of(std::uint32_t /*vertex*/) { return whole_; }
 
     // Parts of a step.
@@ -170,7 +170,8 @@ protected:
     std::uint64_t steps_ = 0;        ///< begun so far
     /// At the end of a step `none`, unless it gave up or something threw.
     Progress progress_ = Progress::none;
-    /// The whole has been remeshed for the time and dt in `whole_`, and nothing has changed since.
+    /// Whether the whole mesh has been remeshed for the time and dt in `whole_`, and nothing has
+    /// changed since.
     bool is_kept_up_ = false;
     InShares in_shares_ = one_by_one;             ///< unless a derived class has threads
     std::unique_ptr<InterfaceSight<Real>> sight_; ///< targets of the whole interface at once
@@ -186,8 +187,8 @@ private:
 // Where the interface moves (thesis, algorithm 5.1, line 4), and the movement. The sequential
 // driver runs them for the whole complex at once, the parallel one for each submesh.
 
-/// Stores the positions of `work.interface`, with no vertex held, and makes room for the targets.
-/// O(interface vertices).
+/// Stores the positions of `work.interface`, marks no vertex as held, and makes room for the
+/// targets. O(interface vertices).
 template <class Real>
 void begin_targets(Work<Real>& work);
 
@@ -227,12 +228,13 @@ template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);
 
-/// Increments `last` and returns it. After the largest stamp, in 2^32 passes, all vertices lose
-/// theirs and stamps start again: O(mesh). Must not run beside other submeshes.
+/// Increments `last` and returns it. Returns a new stamp. After the largest one, in 2^32 passes,
+/// the stamps of all vertices are removed and numbering starts again: O(mesh). Must not run beside
+/// other submeshes.
 template <class Real>
 std::uint32_t next_stamp(Complex<Real>& complex, std::uint32_t& last);
 
-/// Removes all stamps: those of another run must not be mistaken for this one's. O(mesh).
+/// Removes all stamps, so that stamps of another run are not mistaken for this one's. O(mesh).
 template <class Real>
 void clear_stamps(Complex<Real>& complex);
 

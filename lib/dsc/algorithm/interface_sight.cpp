@@ -14,7 +14,7 @@ namespace dsc {
 
 namespace {
 
-/// Which of two phases is on the left of a curve.
+/// The phase, of two, on the left of a curve.
 constexpr bool is_left(Phase one, Phase other) {
     return other == border_phase || (one != border_phase && one > other);
 }
@@ -75,8 +75,8 @@ bool InterfaceGraph<Real>::has_number(const Complex<Real>& complex, std::uint32_
     return slot < vertices_.size() && vertices_[slot] == Vertex{v};
 }
 
-// Connects an ordinary vertex of a curve by its kept star, without a walk. False if it is not one,
-// or the star has changed.
+// Connects an ordinary vertex of a curve by its cached star, without a walk. Returns false if the
+// vertex is not ordinary, or the star has changed.
 template <class Real>
 bool InterfaceGraph<Real>::connect_cached(const Complex<Real>& complex, std::size_t i,
                                           const CachedStar& star) {

@@ -14,7 +14,8 @@
 
 namespace dsc {
 
-/// Built in three rounds; in the first two, threads may work on different ranges of the list:
+/// The graph is built in three rounds; in the first two, threads may work on different ranges of
+/// the list:
 ///
 ///     graph.resize(size, ranges);   // then for each range, at once: number
 ///                                   // when all are done, for each range, at once: connect
@@ -30,15 +31,15 @@ public:
     void number(Complex<Real>& complex, std::span<const std::uint32_t> list, std::size_t begin);
     /// Finds the neighbours of numbers `begin` to `end`, which are range `range`. Neighbours
     /// without a number are omitted: a pass of the application may just have put them on the
-    /// interface, and they are listed from the next sub-step on. `stars` are those that remeshing
-    /// has kept of vertices in the list, in its order. O(stars).
+    /// interface, and they are listed from the next sub-step on. `stars` are the cached stars of
+    /// vertices in the list, in its order. O(stars).
     void connect(const Complex<Real>& complex, std::size_t range, std::size_t begin,
                  std::size_t end, std::span<const CachedStar> stars);
     /// Concatenates the junctions of all ranges. O(junctions).
     void join();
 
-    /// `positions`: those of the stage, one for each vertex. The view refers to the graph and the
-    /// arguments.
+    /// The view at these positions of the stage, one for each vertex. The view refers to the graph
+    /// and the arguments.
     [[nodiscard]] InterfaceView<Real> view(const Complex<Real>& complex,
                                            std::span<const Point<Real>> positions,
                                            const InShares& in_shares = one_by_one) const;
@@ -76,7 +77,7 @@ public:
     /// depends on the interface; else O(interface vertices).
     TargetReport<Real> compute_targets(Work<Real>& work, std::span<const std::size_t> ends,
                                        const Flow<Real>& flow, Real time, Real dt);
-    /// New targets of the same work and flow for another dt. A vertex that is held stays held.
+    /// Finds new targets of the same work and flow for another dt. A held vertex stays held.
     Reach<Real> recompute_targets(const Flow<Real>& flow, Real time, Real dt);
 
 private:

@@ -93,7 +93,7 @@ void Simulation<Real>::set_options(const Options<Real>& options) {
     }
 }
 
-// Makes the integrator, executor, stages and edge lengths follow the options, which replace others.
+// Adapts the integrator, executor, stages and edge lengths to new options.
 template <class Real>
 void Simulation<Real>::begin_options(const Options<Real>& before) {
     begin_integrator();
@@ -107,7 +107,7 @@ void Simulation<Real>::begin_options(const Options<Real>& before) {
     measure(0);
 }
 
-// What replaces or lengthens what a step is going through is refused while it does.
+// While a step runs, calls are refused that replace its data or add to its lists.
 template <class Real>
 void Simulation<Real>::expect_between_steps(const char* where) const {
     if (is_in_step_) {
@@ -145,9 +145,10 @@ void Simulation<Real>::measure(Real time) {
     }
 }
 
-// Visits all vertices in turn, a few in each step. Flips and smoothing nearby may change the target
-// of a vertex that no pass visits; without the sweep, a single stale target would limit all those
-// around it. Most vertices of a graded mesh are near the interface and visited anyway.
+// The slow sweep: visits all vertices in turn, a few in each step. Flips and smoothing nearby may
+// change the target of a vertex that no pass visits; without the sweep, a single stale target would
+// limit all those around it. Most vertices of a graded mesh are near the interface and visited
+// anyway.
 template <class Real>
 void Simulation<Real>::sweep() {
     constexpr std::uint32_t steps = 32; // for the whole mesh
@@ -193,7 +194,7 @@ void Simulation<Real>::add_stage(std::shared_ptr<Stage<Real>> stage) {
     stages_.back()->has_simulation_ = true;
 }
 
-// All listeners, also those after one that throws: a log of edits may have no gaps.
+// Calls all listeners, also those after one that throws, because a log of edits must have no gaps.
 template <class Real>
 void Simulation<Real>::tell(std::span<const Edit> edits) {
     if (edits.empty()) {
@@ -227,7 +228,7 @@ void Simulation<Real>::absorb(By by, Real time) {
     if (absorbed_ == journal.records.size()) {
         return;
     }
-    // A copy: listeners and stages may edit the complex, for the next call.
+    // Copies the edits, because listeners and stages may edit the complex.
     const std::size_t seen = journal.records.size();
     const auto first = journal.records.begin();
     absorbing_.assign(first + static_cast<std::ptrdiff_t>(absorbed_), journal.records.end());
@@ -249,14 +250,14 @@ void Simulation<Real>::absorb(By by, Real time) {
                       static_cast<Real>(feature_arc) *
                           finest_on_interface(options_.sizes, options_.edge_length));
     }
-    // A vertex that lies between other phases now moves differently: an integrator must forget its
-    // past.
+    // A vertex that now lies between other phases moves differently, so an integrator must forget
+    // its past.
     if (options_.custom_integrator) {
         forget_past(interface_changes(after));
     }
     for (const Edit& edit : after) {
         if (edit.kind == EditKind::move && complex_.is_alive(edit.vertex)) {
-            // Its missed targets no longer count, either.
+            // The targets that the vertex missed no longer count either.
             complex_.vertices[edit.vertex.id].flags &= ~static_cast<std::uint32_t>(vertex_contact);
             forget_past(std::span(&edit.vertex.id, 1));
         }
@@ -267,7 +268,8 @@ void Simulation<Real>::absorb(By by, Real time) {
                               journal.records.begin() + static_cast<std::ptrdiff_t>(seen));
         absorbed_ = 0;
     }
-    tell(edits); // last, because a listener may throw: nothing is absorbed or told twice
+    tell(
+        edits); // last, because a listener may throw; edits are then not absorbed or reported twice
 }
 
 template <class Real>
@@ -297,7 +299,7 @@ std::span<const std::uint32_t> Simulation<Real>::take_poor() {
     return executor_->take_poor();
 }
 
-// The vertices that the flow moves.
+// Lists the vertices that the flow moves.
 template <class Real>
 std::vector<std::uint32_t> Simulation<Real>::moved() const {
     std::vector<std::uint32_t> list;

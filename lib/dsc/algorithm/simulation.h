@@ -35,7 +35,7 @@ struct TargetReport;
 enum class GiveUp : std::uint8_t {
     none,
     too_many_sub_steps, ///< the velocity requires more than `max_sub_steps`
-    too_many_passes,    ///< vertices were still on their way after `max_passes` of a sub-step
+    too_many_passes,    ///< vertices had not arrived after `max_passes` of a sub-step
     velocity_jumps,     ///< sub-steps of `adaptive` become ever shorter where the velocity jumps
     interrupted,        ///< by `Simulation::interrupt_by`
 };
@@ -50,13 +50,13 @@ inline constexpr std::array give_up_names{
 
 /// What one step did.
 struct StepReport {
-    OperationCounts operations;  ///< counts of what was done, by stages as well
-    std::uint32_t sub_steps = 0; ///< how many the step was cut into
+    OperationCounts operations;  ///< counts of operations, including those of stages
+    std::uint32_t sub_steps = 0; ///< number of sub-steps
     std::uint32_t passes = 0;    ///< of movement and mesh update, summed over sub-steps
     /// Vertices that did not arrive, summed over sub-steps; includes `held`. Vertices whose piece
     /// of a phase vanished in the same sub-step do not count: no interface remains there.
     std::uint64_t unreached = 0;
-    std::uint64_t held = 0; ///< of these: held because of a velocity that was not finite
+    std::uint64_t held = 0; ///< of these, vertices held because of a velocity that was not finite
     double error = 0;       ///< the largest estimate of `adaptive` that was accepted, a length
     GiveUp gave_up = GiveUp::none; ///< `none` if the step was done as a whole
     Vertex where;     ///< when the step gave up: the fastest vertex, or where the velocity jumps
@@ -109,7 +109,7 @@ public:
     [[nodiscard]] Complex<Real>& complex() { return complex_; }
     /// The same, read-only.
     [[nodiscard]] const Complex<Real>& complex() const { return complex_; }
-    /// The options of the next step.
+    /// The options, valid from the next step on.
     [[nodiscard]] const Options<Real>& options() const { return options_; }
     /// Checks the options and replaces all of them for the next step; integrators with a memory
     /// start afresh if the integrator changes. Throws InputError if one is out of range or a stage
@@ -119,14 +119,15 @@ public:
 
     /// Reports all edits to the listener from now on: those of the application between steps at the
     /// beginning of the next step, those of a step after each of its sub-steps. The records and
-    /// their order are the same for any number of threads. What a listener throws comes out of the
-    /// step, after all listeners have been told. A listener should not edit the complex: its edits
-    /// are told at the beginning of the next step. Without a listener there is no cost.
+    /// their order are the same for any number of threads. An exception of a listener is passed on
+    /// by the step, after all listeners have been called. A listener should not edit the complex:
+    /// its edits are reported at the beginning of the next step. Without a listener there is no
+    /// cost.
     void add_listener(EditListener listener);
 
-    /// From now on steps note where they may leave triangles of this quality (equation 4) or less.
-    /// The mesh update knows the quality of the stars that it leaves, so that this costs next to
-    /// nothing.
+    /// From now on steps list the stars in which they may leave triangles of this quality (equation
+    /// 4) or less. This costs almost nothing, because the mesh update knows the quality of the
+    /// stars that it leaves.
     void watch_quality(double quality);
     /// Vertices whose stars hold all triangles of the watched quality or less that steps have made
     /// or changed since the last call, and some others; with duplicates, and some may have

@@ -121,8 +121,8 @@ template <class Real>
 bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Real& remaining,
                                 StepReport& report) {
     const auto dt_of = [&](Real pieces) { return pieces > 1 ? remaining / pieces : remaining; };
-    // dt from the speed of the last sub-step, which is nearly always right: one call then finds
-    // velocities and targets, and submeshes need not wait for each other in between.
+    // dt is predicted from the speed of the last sub-step, which is nearly always right: one call
+    // then finds velocities and targets, and submeshes need not wait for each other in between.
     Real dt = dt_of(pieces_of(remaining, fastest_));
     TargetReport<Real> targets = executor_->compute_targets(flow, time, dt);
     complex_.attributes.failure.rethrow();
@@ -202,13 +202,13 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     return dt;
 }
 
-// Where the velocity jumps, the estimate falls in proportion to dt, not with a higher power of it:
-// vertices that cross the jump would move by a few tolerances per sub-step. Since a flow may be
-// rough for a moment only, the step goes on for a while.
+// At a jump of the velocity the estimate falls only in proportion to dt, so vertices that cross it
+// would move by a few tolerances per sub-step. As a flow may be rough for a moment only, the step
+// continues for a while before it gives up.
 template <class Real>
 bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
                                     const TargetReport<Real>& targets) {
-    constexpr Real share = Real(1) / 64; // of the way that the speed allows
+    constexpr Real share = Real(1) / 64; // fraction of the sub-step that the speed allows
     constexpr std::uint32_t patience = 64;
     constexpr Real of_jump = Real(0.35); // estimate of half the time: 1/2 at a jump, else up to 1/4
     const Real length = options_.edge_length;
@@ -223,7 +223,7 @@ bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
     return of_half > of_jump * targets.reach.error;
 }
 
-// After each sub-step, serially. Where stages have edited the complex, vertices that did not arrive
+// After each sub-step, serially. If stages have edited the complex, vertices that did not arrive
 // try again. Returns how many of these have now arrived, or need not move any more.
 template <class Real>
 std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unreached,
