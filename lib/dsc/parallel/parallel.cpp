@@ -59,7 +59,7 @@ std::optional<SubmeshView> submeshes_in(const Executor<Real>& executor) {
     return in_place == nullptr ? std::nullopt : std::optional(in_place->view());
 }
 
-// Declared with the simulation; defined here because the lower layers do not depend on threads.
+// A constructor of Simulation, defined here because the lower layers do not depend on threads.
 template <class Real>
 Simulation<Real>::Simulation(Complex<Real>& complex, const Options<Real>& options,
                              const Parallel& parallel)

@@ -35,9 +35,9 @@ struct Parallel {
     std::uint32_t threads = 1;
     const Division* division = &cells_division; ///< how the mesh is divided; outlives the executor
     std::uint32_t submeshes = 0;                ///< 0: the division's own choice
-    bool always_all_threads = false;            ///< even if fewer would be as fast
-    Assignment assignment = Assignment::queue;  ///< which thread runs which submesh
-    bool profile = false;                       ///< measure times: see `SubmeshView`
+    bool always_all_threads = false;           ///< uses all threads, even if fewer would be as fast
+    Assignment assignment = Assignment::queue; ///< which thread runs which submesh
+    bool profile = false;                      ///< measure times: see `SubmeshView`
 };
 
 } // namespace dsc

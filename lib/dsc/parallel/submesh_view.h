@@ -51,7 +51,7 @@ struct SubStepProfile {
     // Serial parts.
     double set_up = 0;    ///< cuts, lists and ids, before anything runs
     double hand_over = 0; ///< vertices that left their submesh
-    double clean_up = 0;  ///< what all colours deferred, and updating the lists
+    double clean_up = 0;  ///< work deferred by all colours, and updating the lists
     // By task.
     std::vector<double>
         targets;              ///< remeshing, velocities and targets, by submesh of the first colour
@@ -64,7 +64,7 @@ struct SubStepProfile {
 /// The work of threads since the executor was made, in seconds of a steady clock.
 struct ThreadWork {
     double sections_s = 0;        ///< wall time of the parallel sections
-    std::vector<double> busy_s{}; ///< by thread, in these sections: time in tasks, without waiting
+    std::vector<double> busy_s{}; ///< by thread: time in tasks of these sections, without waiting
 
     /// The busy time of all threads minus the wall time of the sections: the busy time of a run is
     /// its wall time plus this. Negative if threads mostly waited.

@@ -13,7 +13,7 @@ enum State : std::uint8_t {
     waiting,
     claimed,
     done,
-    failed, ///< it has thrown, or a task that it waits for
+    failed, ///< the task has thrown, or one that it waits for
 };
 
 } // namespace
@@ -79,8 +79,8 @@ void Schedule::run_one(std::size_t task, const std::function<void(std::size_t)>&
     states_[task].store(outcome, std::memory_order_release);
 }
 
-// Whether the task is the last one of a thread that is at work. To fetch its part of the mesh from
-// that thread's core would take longer than to wait for the thread. O(tasks).
+// Whether the task is the last one of a thread that is busy. Fetching its part of the mesh from
+// that thread's core would take longer than waiting for the thread. O(tasks).
 bool Schedule::is_last_one(std::size_t task, std::uint32_t threads) const {
     bool has_begun = false;
     for (std::size_t other = 0; other < tasks.size(); ++other) {
@@ -98,12 +98,12 @@ double Schedule::work(std::uint32_t thread, std::uint32_t threads, Assignment as
                       const std::function<void(std::size_t)>& run) {
     const bool takes_over = assignment == Assignment::queue;
     WaitingTurns turns;
-    Timer round; // a clock is read once for each round and not for each task
+    Timer round; // the clock is read once for each round, not for each task
     double busy_s = 0;
     double idle_s = 0; // since the last task
     std::uint32_t done_here = 0;
     while (true) {
-        bool is_any_left = false; // that this thread must run or wait for
+        bool is_any_left = false; // tasks that this thread must run or wait for
         bool has_run = false;
         const auto attempt = [&](std::size_t task) {
             if (!claim(task)) {

@@ -20,12 +20,12 @@ namespace dsc {
 /// Runs the tasks of a graph, any number of times.
 class Schedule {
 public:
-    TaskGraph tasks; ///< what there is to run; not to be changed during a run
+    TaskGraph tasks; ///< the tasks and their dependencies; must not change during a run
 
     /// Calls `run(task)` once for each task, on at most this many threads of the pool. If a task
-    /// throws, those that wait for it do not start, and all others do: what is done does not depend
-    /// on threads. The exception of the first task that threw is rethrown when all have ended. No
-    /// allocation if the graph has not grown.
+    /// throws, those that wait for it do not start, and all others do: the set of tasks that run
+    /// does not depend on threads. The exception of the first task that threw is rethrown when all
+    /// have ended. No allocation if the graph has not grown.
     void run(ThreadPool& pool, std::uint32_t threads, Assignment assignment,
              const std::function<void(std::size_t task)>& run);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Archives what the executor keeps from one step to the next: the partition, when it was made, and
-// each submesh with its list and its active set.
+// Archives the state that the executor keeps between steps: the partition, the time when it was
+// made, and each submesh with its list and active set.
 #include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/submesh_part.h"

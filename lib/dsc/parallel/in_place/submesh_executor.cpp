@@ -54,8 +54,8 @@ SubmeshExecutor<Real>::SubmeshExecutor(Complex<Real>& complex, const Options<Rea
         }
         sharing_.run(pool_, threads_, parallel_.assignment, task);
     };
-    // Everything that takes longer in a large mesh is done here rather than in a step: dividing it
-    // for the first time, making room, lending ids, and starting threads.
+    // All work that takes longer in a large mesh is done here rather than in a step: the first
+    // division, reserving memory, lending ids, and starting threads.
     generation_ = complex_.ids.generation;
     divide();
     choose_threads();
@@ -97,14 +97,14 @@ void SubmeshExecutor<Real>::begin_step() {
     pool_.wake(threads_);
     profile_.clear();
     status_.interface_vertices = this->interface_size();
-    if (status_.step > 0) { // for the first step it was divided at construction
+    if (status_.step > 0) { // the first step uses the division made at construction
         divide();
     }
     ++status_.step;
     ++status_.steps_since_all;
 }
 
-// As many threads as have enough to do.
+// The number of threads that have enough to do.
 template <class Real>
 void SubmeshExecutor<Real>::choose_threads() {
     const std::size_t size = this->interface_size();
@@ -130,7 +130,7 @@ void SubmeshExecutor<Real>::divide() {
     std::vector<std::uint32_t> list;
     this->append_interface(list);
     if (recut == Recut::all && options_.shuffle_seed == 0 && !parts_.empty()) {
-        // New vertices of the boundaries stand at the ends of lists.
+        // New vertices of submesh boundaries are at the ends of lists.
         order_interface(complex_, list, next_epochs());
     }
     partitioner_->divide({complex_, list, work_of(list), static_cast<double>(options_.edge_length)},
@@ -150,7 +150,7 @@ void SubmeshExecutor<Real>::divide() {
     }
 }
 
-// The work that each vertex has taken since the last division, as its submesh's average.
+// Estimates the work of each vertex since the last division by its submesh's average.
 template <class Real>
 std::vector<float> SubmeshExecutor<Real>::work_of(const std::vector<std::uint32_t>& list) const {
     std::vector<float> work(list.size(), 1.0F);
@@ -237,8 +237,8 @@ std::uint32_t SubmeshExecutor<Real>::distribute_interface(std::vector<std::uint3
     return lost;
 }
 
-// Makes the tasks: a submesh waits for those of the colour before that it meets, and then has
-// exclusive access to all it owns.
+// Makes the tasks: a submesh waits for the overlapping submeshes of the previous colour, and then
+// has exclusive access to everything it owns.
 template <class Real>
 void SubmeshExecutor<Real>::connect() {
     targets_schedule_.tasks.clear();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Parallel DSC (thesis, sections 6 and 8.10) in place: the submeshes of the first colour run
 // remeshing, movement and mesh update at the same time and defer what their boundaries prevent; a
-// submesh of the next colour begins when those that it meets have ended; what all colours defer is
-// done serially. The regions, the order within a submesh and the pools of ids do not depend on
-// threads: the result is bitwise identical for any number of them.
+// submesh of the next colour begins when the submeshes that it overlaps have ended; what all
+// colours defer is done serially. The regions, the order within a submesh and the pools of ids do
+// not depend on threads: the result is bitwise identical for any number of them.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -30,7 +30,7 @@ public:
     /// and what the partitioner throws.
     SubmeshExecutor(Complex<Real>& complex, const Options<Real>& options, Algorithm<Real> algorithm,
                     std::unique_ptr<Partitioner<Real>> partitioner, const Parallel& parallel);
-    /// Returns the ids that the submeshes hold, unless the complex has begun a new generation of
+    /// Gives the ids of the submeshes back to the complex, unless it has begun a new generation of
     /// ids.
     ~SubmeshExecutor() override;
 
@@ -41,7 +41,7 @@ public:
     void end_step() override;
     void archive(Archive& archive) override;
 
-    /// The partition in force, and how the last step went in it.
+    /// The current partition, and the profile of the last step.
     [[nodiscard]] SubmeshView view() const {
         return {partition_, moving_.tasks, profile_, threads_, pool_.work_so_far()};
     }
@@ -101,8 +101,8 @@ private:
     Partition partition_;
     PartitionStatus status_;
 
-    std::vector<std::unique_ptr<Part>> parts_;       // colour by colour; none: the whole is one
-    std::uint64_t generation_ = 0;                   // of the complex's ids that lent their pools
+    std::vector<std::unique_ptr<Part>> parts_; // colour by colour; none: the whole is one
+    std::uint64_t generation_ = 0; // generation of the complex's ids in which the pools were lent
     std::vector<std::unique_ptr<Part>> spare_parts_; // of earlier divisions: their memory is reused
     std::size_t first_colour_ = 0;                   // parts of the first colour
     Schedule targets_schedule_;
@@ -120,7 +120,7 @@ private:
     std::vector<Point<double>> listed_places_;
     std::vector<std::size_t> kept_; // scratch of unlist
     std::uint32_t threads_ = 1;
-    std::uint32_t useful_threads_ = 1;    // that have enough to do in this step
+    std::uint32_t useful_threads_ = 1;    // number of threads that have enough to do in this step
     std::vector<SubStepProfile> profile_; // of the last step
 };
 

@@ -7,8 +7,8 @@ namespace dsc {
 
 namespace {
 
-/// Ids that each submesh holds in addition to one for each of its interface vertices; what does not
-/// fit is deferred to the next colour, never lost.
+/// Ids that each submesh holds in addition to one for each of its interface vertices; edits that
+/// need more are deferred to the next colour, never lost.
 constexpr std::size_t spare_vertices = 64;
 
 } // namespace
@@ -31,13 +31,13 @@ void SubmeshExecutor<Real>::lend_pools() {
 
 template <class Real>
 std::size_t SubmeshExecutor<Real>::min_vertices(const Part& part) {
-    return part.work.submesh.region.is_whole() ? 0 // it uses those of the complex
+    return part.work.submesh.region.is_whole() ? 0 // the whole mesh uses the complex's own ids
                                                : spare_vertices + part.work.interface.size() / 2;
 }
 
-// Reserves room for the pools, for those of more submeshes as the interface grows, and for a mesh
-// that grows by half: copying the arrays in a step would take as long as ten steps. Room that is
-// never touched takes no memory. Beyond it the arrays double, as vectors do.
+// Reserves memory for the pools, for more submeshes as the interface grows, and for a mesh that
+// grows by half: copying the arrays in a step would take as long as ten steps. Reserved memory that
+// is never touched is not used. Beyond this reserve the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;
@@ -57,7 +57,7 @@ void SubmeshExecutor<Real>::refill(Part& part) {
     if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
         return;
     }
-    // Twice as many, so that this is rare.
+    // Lends twice as many as needed, so that this is rare.
     while (pool.vertices.size() < 2 * least) {
         const std::uint32_t id = complex_.take_vertex(complex_.ids);
         complex_.vertices[id].flags = vertex_dead;
@@ -70,7 +70,7 @@ void SubmeshExecutor<Real>::refill(Part& part) {
     }
 }
 
-// Returns the ids beyond those that several times its present work would need.
+// Gives back ids beyond several times the number that the present work needs.
 template <class Real>
 void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
     const std::size_t most = 4 * (spare_vertices + part.work.interface.size());

@@ -27,7 +27,7 @@ Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t vertex) {
 // number), since consecutive vertices are nearly always in the same submesh.
 template <class Real>
 void SubmeshExecutor<Real>::distribute_resized() {
-    std::vector<std::uint32_t>& list = whole_.resized; // not a submesh: free to collect them
+    std::vector<std::uint32_t>& list = whole_.resized; // free, as the whole is no submesh
     for (const auto& part : parts_) {
         append(list, part->work.resized);
         part->work.resized.clear();
@@ -68,7 +68,7 @@ void SubmeshExecutor<Real>::route_to_owners() {
 // vertices stay where they are.
 template <class Real>
 void SubmeshExecutor<Real>::put_back() {
-    std::vector<std::uint32_t>& later = whole_.resized; // for whichever submesh owns them then
+    std::vector<std::uint32_t>& later = whole_.resized; // for the submesh that will own them
     for (Work<Real>* work : works_) {
         append(later, work->active);
         for (const Deferred<Real>& one : work->deferred.entries) {

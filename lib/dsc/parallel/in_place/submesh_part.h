@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One submesh, as the executor's files share it.
+// One submesh, as used by all files of the executor.
 #pragma once
 
 #include "dsc/algorithm/executor.h"
@@ -24,13 +24,14 @@ struct SubmeshExecutor<Real>::Part {
     std::uint64_t examined = 0; // stars, since the last division
     TargetReport<Real> targets;
     MoveReport moved;
-    double targets_s = 0; // of the last sub-step, if times are measured
+    double targets_s = 0; // seconds of the last sub-step, if times are measured
     double move_s = 0;
 
     // Reserves room for this many vertices of the interface, and for the moving vertices and stars
     // that come with them. Short lists of two submeshes next to each other on the heap would share
-    // cache lines, and the threads would contend for them at each push. It reserves little more
-    // than is filled: memory that is touched for the first time costs microseconds a page.
+    // cache lines, and the threads would contend for them at each push. Only slightly more than
+    // needed is reserved, because memory that is touched for the first time costs microseconds a
+    // page.
     void make_room(std::size_t vertices) {
         const auto reserve = [vertices](auto&... lists) { (lists.reserve(vertices), ...); };
         reserve(work.interface, work.interface_next, work.moving_vertices, work.active,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A step: the tasks of the submeshes, what they defer, and the serial work at the end.
+// A step: the tasks of the submeshes, their deferred work, and the serial work at the end.
 #include "dsc/algorithm/executor.h"
 #include "dsc/base/room.h"
 #include "dsc/base/timer.h"
@@ -67,7 +67,7 @@ void SubmeshExecutor<Real>::targets_part(Part& part, std::size_t pass, const Flo
     if (pass + 1 >= algorithm_.remeshing.size()) {
         if (flow.needs_all()) {
             part.targets = {};
-            part.drop_targets(); // found later, for the whole interface at once
+            part.drop_targets(); // velocities are found later, for the whole interface at once
         } else {
             part.targets = targets_along(work, *flow.velocity(), time, dt);
         }
@@ -86,7 +86,7 @@ void SubmeshExecutor<Real>::accept(Work<Real>& work, const Deferred<Real>& one) 
     }
 }
 
-// Takes over what was deferred to this task, by one that it waited for or between the sections.
+// Takes over work deferred to this task, by a task that it waited for or between the sections.
 template <class Real>
 void SubmeshExecutor<Real>::accept_routed(Work<Real>& work, const DeferredQueue<Real>& queue,
                                           std::size_t task) {
@@ -203,7 +203,8 @@ TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real
                 listed_.push_back(one.vertex);
             } else if (one.kind == DeferredKind::listing &&
                        std::ranges::count(home_of(one.vertex).changed_interface, one.vertex) == 0) {
-                whole_.interface.push_back(one.vertex); // no pass has listed it in its new submesh
+                whole_.interface.push_back(
+                    one.vertex); // not yet listed in its new submesh by a pass
             }
         }
     }
@@ -219,9 +220,9 @@ TargetReport<Real> SubmeshExecutor<Real>::hand_over(const Flow<Real>& flow, Real
     }
     whole_.epoch = this->new_stamp();
     this->keep_up_whole();
-    // Listed vertices that still exist stay listed; the others are new to a submesh. A vertex that
-    // lies elsewhere under the same id is a new one that reuses the id. Any other that a pass of an
-    // application has changed is listed in the whole by now.
+    // Listed vertices that still exist stay listed; the others are new to a submesh. If the vertex
+    // with a listed id is at another position, it is a new vertex that reuses the id. Other
+    // vertices changed by a pass of an application are already listed in the whole.
     std::vector<std::uint32_t>& there = whole_.interface_next; // scratch of remeshing
     assign(there, whole_.interface);
     std::ranges::sort(there);
@@ -307,7 +308,8 @@ MoveReport SubmeshExecutor<Real>::move() {
     MoveReport report;
     report.held = this->begin_movement();
     route_to_owners();
-    distribute_resized(); // also if sizes are uniform: they may have become so just now
+    distribute_resized(); // also if sizes are uniform, because they may have become uniform just
+                          // now
     const double hand_over = timer.lap();
     moving_.run(pool_, threads_, parallel_.assignment,
                 [this](std::size_t task) { move_part(task); });
@@ -355,7 +357,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         report.passes = std::max(report.passes, rest.passes);
         report.unreached += rest.unreached;
     }
-    // A stage may unblock those that did not arrive.
+    // A stage may have unblocked vertices that did not arrive.
     for (const auto& part : parts_) {
         std::vector<MovingVertex<Real>>& missed = part->work.moving_vertices;
         append(whole_.moving_vertices, missed);

@@ -112,7 +112,7 @@ public:
     std::vector<Region> boxes;
 
 private:
-    // Those before the cut come first; both parts keep their order.
+    // Sites before the cut come first; both parts keep their order.
     void split(std::vector<Site>& sites, std::size_t begin, std::size_t end, bool upright,
                double at) {
         std::size_t kept = begin;
@@ -133,18 +133,17 @@ private:
     const CutRules& rules_;
 };
 
-// Whether a place is nearer than `band` to a side of the box.
+// Whether a point is nearer than `band` to a side of the box.
 bool is_near_side(const Region& box, const Site& site, double band) {
     return site.x - box.low < band || box.high - site.x < band || site.y - box.side_low < band ||
            box.side_high - site.y < band;
 }
 
-// Small cells spread the load, large ones have less boundary, where stars are gathered twice and
-// two cores hand each other lines of memory. The two balance where the number of cells grows as the
-// vertices to the power of 0.4: two cells below 360 vertices, four below 2,000, eight below 11,600.
-// Twice as many take 4 to 10 % longer on one thread, and on two where a word takes half a
-// microsecond from core to core. It is a power of two, so that two, four or eight threads have
-// equal shares.
+// Small cells spread the load; large ones have less boundary, where stars are gathered twice and
+// two cores exchange cache lines. The best number of cells grows like the number of vertices to the
+// power of 0.4: two cells below 360 vertices, four below 2,000, eight below 11,600. Twice as many
+// take 4 to 10 % longer on one thread, and on two where a word takes half a microsecond from core
+// to core. It is a power of two, so that two, four or eight threads have equal shares.
 std::uint32_t cells_that_pay(std::size_t vertices) {
     const double doublings = 0.4 * std::log2(static_cast<double>(vertices) + 1) - 1.9;
     return static_cast<std::uint32_t>(std::exp2(std::max(0.0, std::round(doublings))));
@@ -211,8 +210,9 @@ void CellPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut recu
         }
     }
     const auto cells = static_cast<std::uint32_t>(regions.size());
-    // Later colours: what lies near the cuts of the first, then of the first two. Their cuts follow
-    // the gaps between their few sites rather than the balance.
+    // The later colours get the sites near the cuts of the first colour, then near those of the
+    // first two. Their cuts follow the gaps between these few sites rather than the balance of
+    // work.
     rules.tolerance = 0.5;
     rules.band_price = 8;
     rules.min_sites = 4;

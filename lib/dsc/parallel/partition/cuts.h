@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Where to cut boxes of sites into two.
+// Halving boxes of sites.
 #pragma once
 
 #include "dsc/parallel/partition/partition.h"
 
 namespace dsc {
 
-/// How boxes of sites are cut.
+/// The rules by which boxes of sites are cut.
 struct CutRules {
     double band = 0;             ///< a site nearer to a cut than this is handled by two colours
     double min_width = 0;        ///< of the sites' extent, on either side of a cut
     std::uint32_t min_sites = 1; ///< on either side
     double tolerance = 0.12;     ///< a share may be off by this fraction of the whole
-    double band_price = 2; ///< cost of a site in the band, compared with one that is off balance
+    double band_price = 2;       ///< cost of a site in the band, relative to one out of balance
 };
 
 /// Halves the plane and its sites until there are `cells` boxes, or until the rules allow no

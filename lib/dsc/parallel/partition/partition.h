@@ -15,7 +15,8 @@
 
 namespace dsc {
 
-/// The submeshes of one colour. Their regions must be disjoint, and together cover the plane.
+/// The submeshes of one colour. Submeshes that run at the same time. Their regions must be
+/// disjoint, and together cover the plane.
 struct Colour {
     std::vector<Region> regions; ///< disjoint
 
@@ -55,7 +56,7 @@ template <class Real>
 struct PartitionInput {
     const Complex<Real>& complex;             ///< between two steps
     std::span<const std::uint32_t> interface; ///< roughly in the order of the curve
-    std::span<const float> work; ///< of each of them in the previous steps, in any unit
+    std::span<const float> work; ///< work of each vertex in the previous steps, in any unit
     double edge_length;          ///< the target
 };
 
@@ -65,11 +66,11 @@ class Partitioner : public Unmovable {
 public:
     virtual ~Partitioner() = default;
 
-    /// Whether the partition in force is to be replaced before the next step.
+    /// Whether the current partition must be replaced before the next step.
     [[nodiscard]] virtual Recut is_due(const PartitionStatus& status) const = 0;
     /// Divides; regions may refer to data of the partitioner. Must not depend on threads.
     virtual void divide(const PartitionInput<Real>& input, Recut recut, Partition& partition) = 0;
-    /// Archives what it keeps from one division to the next (base/archive.h); nothing by default.
+    /// Archives the state that it keeps between divisions (base/archive.h); nothing by default.
     virtual void archive(Archive& /*archive*/) {}
 };
 
@@ -85,13 +86,14 @@ inline void archive(Archive& archive, PartitionStatus& status) {
 }
 
 // --- cells ---------------------------------------------------------------------------------------
-// They follow the interface: the plane is halved repeatedly, each time where few interface vertices
-// lie, until each cell has its share of them. What lies near the cuts goes to cells of a second
-// colour, cut in the same way from these vertices alone, so that its cuts run where the first
-// colour left nothing; what lies near the cuts of both goes to a third. The work is at the
-// interface, and so are the cells, whereas slabs over the whole mesh are mostly empty.
+// Cells follow the interface: the plane is halved repeatedly, each time where there are few
+// interface vertices, until each cell has its share of them. Vertices near the cuts go to cells of
+// a second colour, which is cut in the same way for these vertices alone, so that its cuts run
+// where the first colour left no work; vertices near the cuts of both colours go to a third. The
+// work is at the interface, and so are the cells, whereas slabs over the whole mesh are mostly
+// empty.
 
-/// How cells are cut.
+/// Options of cells.
 struct CellOptions {
     /// Cells of the first colour; 0: as many as pay off, by the length of the interface. Fewer if
     /// they would be too small.
@@ -103,7 +105,7 @@ struct CellOptions {
     std::uint32_t recut_later = 16; ///< and of the later ones
 };
 
-/// A place where there is work.
+/// A point with work.
 struct Site {
     double x; ///< in units of the domain
     double y;

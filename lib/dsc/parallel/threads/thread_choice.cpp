@@ -8,16 +8,17 @@ namespace {
 constexpr std::uint32_t steps_of_a_try = 4;
 constexpr std::uint32_t min_pause = 16;
 constexpr std::uint32_t max_pause = 2048;
-/// Beside other programs, a few steps take ten times as long as the others: only a mean of many is
-/// reliable.
+/// While other programs run, a few steps take ten times as long as the others, so only a mean of
+/// many is reliable.
 constexpr std::uint32_t steps_of_a_mean = 32;
-/// A single step counts for at most this many others.
+/// A single step has at most the weight of this many others in the mean.
 constexpr double max_share_of_step = 4;
-/// A try that takes so much longer than the steps before ends at once.
+/// A try whose steps take longer than the previous ones by this factor ends at once.
 constexpr double hopeless = 1.15;
-/// Steps that take so much longer than at the last try are the reason for another one.
+/// Steps that take longer than at the last try by this factor cause another try.
 constexpr double much_slower = 1.5;
-/// Fewer or more threads have to save so much, so that noise does not change them.
+/// The number of threads changes only if steps take less than this fraction of the time, so that
+/// noise does not change it.
 constexpr double worthwhile = 0.97;
 
 } // namespace
@@ -61,7 +62,7 @@ void ThreadChoice::took(double seconds, double work, std::uint32_t useful) {
         }
         return;
     }
-    // If steps have become much slower, something else may be running since.
+    // If steps have become much slower, another program may be running.
     until_try_ = settled_ > 0 && mean.value > much_slower * settled_ ? 0 : until_try_ - 1;
     if (until_try_ == 0) {
         now_ = next_try();

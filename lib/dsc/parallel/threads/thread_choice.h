@@ -12,9 +12,9 @@
 
 namespace dsc {
 
-/// Begins with one thread, then tries all that are allowed, and later half or twice as many now and
-/// then, for a few steps. The number that takes less time for the same work is kept. Tries that
-/// change nothing become rarer, down to four in two thousand steps. O(1) for each step.
+/// Begins with one thread, then tries all allowed threads, and later sometimes half or twice as
+/// many, for a few steps each. It keeps the number that takes less time for the same work. Tries
+/// that change nothing become rarer, down to four steps in two thousand. O(1) for each step.
 class ThreadChoice {
 public:
     /// At most so many threads.
@@ -29,12 +29,12 @@ public:
     void took(double seconds, double work, std::uint32_t useful);
 
 private:
-    /// Halvings from the threads that are allowed: 0 is all of them.
+    /// The number of halvings of the allowed threads; 0: all of them.
     using Level = std::size_t;
     static constexpr Level levels = 12;
     struct Mean {
         double value = 0;        ///< seconds for each unit of work
-        std::uint32_t steps = 0; ///< that it is the mean of, the later ones with more weight
+        std::uint32_t steps = 0; ///< number of steps in the mean; later ones have more weight
     };
 
     [[nodiscard]] Level next_try();
@@ -43,13 +43,13 @@ private:
     std::array<Mean, levels> means_{};
     std::uint32_t max_;
     Level home_;                   ///< what steps use
-    Level now_;                    ///< what the next one does: another while it is tried
+    Level now_;                    ///< level of the next step: another one during a try
     std::uint32_t warm_up_ = 2;    ///< steps that do not count
     std::uint32_t tries_left_ = 0; ///< steps of the present try
     std::uint32_t until_try_ = 2;  ///< steps
     std::uint32_t pause_ = 16;     ///< steps from the last try to the next one
     double settled_ = 0;           ///< the mean at the last try
-    bool was_fewer_ = false;       ///< the last try was of fewer threads
+    bool was_fewer_ = false;       ///< whether the last try was with fewer threads
 };
 
 } // namespace dsc

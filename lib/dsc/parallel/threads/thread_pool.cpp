@@ -21,7 +21,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint32_t is_open = 1;
 constexpr std::uint32_t one_inside = 2;
 
-/// Reads of the bell between two reads of the clock: a few microseconds.
+/// The number of reads of the bell (the wake-up signal) between two reads of the clock: a few
+/// microseconds.
 constexpr int looks = 64;
 
 // Where threads run. A thread that has just been started is often on the core of the one that
@@ -29,13 +30,13 @@ constexpr int looks = 64;
 
 #if defined(__linux__)
 
-/// The core that the calling thread is on at this moment; -1 if the system does not support the
+/// The core that runs the calling thread at this moment; -1 if the system does not support the
 /// query.
 int current_core() { return sched_getcpu(); }
 
 /// Moves the calling thread off this core: to the `number`th of the others that it is allowed to
-/// use, counted in circles. Later the system may move it again, as any thread. Does nothing without
-/// another core, or if the system does not support it.
+/// use, counted in circles. The system may move it again later. Does nothing without another core,
+/// or if the system does not support it.
 void leave_core(int core, unsigned number) {
     cpu_set_t allowed;
     if (core < 0 || core >= CPU_SETSIZE || sched_getaffinity(0, sizeof allowed, &allowed) != 0) {
@@ -177,7 +178,7 @@ void ThreadPool::run(std::uint32_t threads, const std::function<void(std::uint32
     work(0);
     door_.fetch_and(~is_open, std::memory_order_acq_rel);
     for (WaitingTurns turns; door_.load(std::memory_order_acquire) != 0;) {
-        turns.wait(); // for those who are still inside
+        turns.wait(); // waits for workers that are still inside
     }
     done_.sections_s += std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -191,12 +192,14 @@ void ThreadPool::serve(std::uint32_t thread, Worker& worker) {
         if (has_ended_.load(std::memory_order_acquire)) {
             return;
         }
-        // A late worker finds the door closed, or that of the next section open.
+        // A late worker finds the door (the section's entry) closed, or already open for the next
+        // section.
         std::uint32_t door = door_.load(std::memory_order_acquire);
         while ((door & is_open) != 0) {
             if (door_.compare_exchange_weak(door, door + one_inside, std::memory_order_acq_rel,
                                             std::memory_order_acquire)) {
-                // A ring that comes while it is here, or a little later, may be for this section.
+                // A signal that arrives while the worker is inside, or a little later, may be for
+                // this section.
                 if (thread < wanted_ && served != section_) {
                     served = section_;
                     (*work_)(thread);

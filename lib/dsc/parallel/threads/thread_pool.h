@@ -2,7 +2,7 @@
 // Threads that are ready when a parallel section begins. A section of a step lasts tens of
 // microseconds, and waking a thread takes as long; OpenMP's threads fall asleep while the
 // application works between two steps. So workers wait awake for a time that can be set, and a
-// section never waits for a late worker: it ends when its work is done, by whichever threads.
+// section never waits for a late worker: it ends when all its work is done, by any of the threads.
 #pragma once
 
 #include "dsc/parallel/parallel.h"
@@ -25,8 +25,8 @@ inline void pause_briefly() {
 #endif
 }
 
-/// The turns of a loop that waits: brief pauses at first, since a task takes tens of microseconds;
-/// then the core is given to any other thread that wants it.
+/// Pauses of a waiting loop: brief ones at first, because a task takes tens of microseconds; later
+/// the core is yielded to other threads.
 class WaitingTurns {
 public:
     void wait() {
@@ -57,8 +57,8 @@ public:
     /// Ends the workers, which takes no longer than to wake them.
     ~ThreadPool();
 
-    /// Starts workers until there are this many threads, the caller included, or the system grants
-    /// no more. A worker that was started stays.
+    /// Starts workers until there are this many threads, including the caller, or the system
+    /// provides no more. A worker that was started stays.
     void start(std::uint32_t threads);
     /// The number of threads: the caller and the workers.
     [[nodiscard]] std::uint32_t size() const {
