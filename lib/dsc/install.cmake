@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# `cmake --install` gives the core, the modules, their public headers and what find_package(dsc) needs:
-# dsc::dsc, and dsc::NAME for each module.
+# `cmake --install` installs the core, the modules, their public headers and the files that
+# find_package(dsc) needs: dsc::dsc, and dsc::NAME for each module.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-# The public headers of a module: MODULE/MODULE.h, of the core dsc/engine.h as well, and what they include of
-# the module, directly or not. `cmake --install` and the reference pages call this, so that no list has to be
-# maintained. `source` is the folder that holds MODULE/; sets `result`, relative to it.
+# The public headers of a module: MODULE/MODULE.h, for the core also dsc/engine.h, and all headers
+# of the module that these include, directly or not. `cmake --install` and the reference pages call
+# this, so that no list has to be maintained. `source` is the folder that holds MODULE/; sets
+# `result`, relative to it.
 cmake_minimum_required(VERSION 3.25)
 function(dsc_public_headers result source module)
     set(headers ${module}/${module}.h)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cmake -D manifest=FILE -P uninstall.cmake: removes what the last `cmake --install` wrote, and the folders
-# that are empty then.
+# cmake -D manifest=FILE -P uninstall.cmake: removes the files that the last `cmake --install`
+# wrote, and folders that are then empty.
 if(NOT EXISTS ${manifest})
     message(FATAL_ERROR "nothing has been installed from this build: ${manifest} does not exist")
 endif()

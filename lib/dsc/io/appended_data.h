@@ -8,7 +8,7 @@
 
 namespace dsc {
 
-/// Collects arrays, to be written when all are known.
+/// Collects arrays, which are written once all are known.
 class AppendedData {
 public:
     /// Appends an array and returns its offset, which its tag names. O(size).

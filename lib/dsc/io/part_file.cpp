@@ -19,11 +19,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t block_size = std::size_t{1} << 16U;
 constexpr int max_links = 40;               ///< the kernel's own limit
-constexpr int max_parts = 10000;            ///< of one file at a time
+constexpr int max_parts = 10000;            ///< part files of one path at a time
 constexpr std::size_t longest_prefix = 100; ///< bytes: no file system allows fewer than 143
 
-// Links in this folder are open descriptors of this process: opening one starts at the beginning of
-// the file, or fails.
+// Whether a link is in the folder of this process's open descriptors: opening such a link starts at
+// the beginning of the file, or fails.
 bool is_descriptor(const fs::path& link) {
     std::error_code error;
     const fs::path all = fs::canonical("/proc/self/fd", error);
@@ -35,7 +35,7 @@ fs::path folder_of(const fs::path& file) { return file.parent_path() / "."; }
 } // namespace
 
 Destination destination_of(const std::string& path) {
-    fs::path place(path.substr(0, path.find('\0'))); // all that the kernel would read
+    fs::path place(path.substr(0, path.find('\0'))); // as much as the kernel would read
     std::error_code error;
     const fs::file_status status = fs::status(place, error);
     if (fs::is_directory(status)) {
@@ -70,7 +70,7 @@ PartFile::PartFile(std::string path) : path_(std::move(path)), place_(destinatio
     }
 }
 
-// A file that may not be written is not replaced either.
+// A file without write permission must not be replaced either.
 void PartFile::make_part() {
     const fs::path place(place_.path);
     if (::access(place.c_str(), W_OK) != 0 && errno != ENOENT) {
@@ -143,7 +143,7 @@ void PartFile::commit(Until until) {
     if (std::rename(part_.c_str(), place_.path.c_str()) != 0) {
         fail("renaming failed", errno);
     }
-    part_.clear(); // its name may be another's by now
+    part_.clear(); // the name may belong to another writer by now
     if (until == Until::on_disk) {
         descriptor_ = ::open(folder_of(place_.path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (descriptor_ >= 0 && ::fsync(descriptor_) != 0 && errno != EINVAL) {

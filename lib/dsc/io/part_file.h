@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// Where bytes that are written to a path end up.
+/// The destination of bytes that are written to a path.
 struct Destination {
     std::string path;       ///< after all symbolic links, also of a file that is yet to be made
     bool is_stream = false; ///< a device, a pipe or an open descriptor: written to, never replaced
@@ -47,10 +47,10 @@ public:
         return append(value, std::chars_format::fixed, digits);
     }
 
-    /// How safe the content is before the file takes its place.
+    /// The safety of the content before the file is renamed.
     enum class Until : std::uint8_t {
         written, ///< it survives the end of the program
-        on_disk, ///< and a crash of the machine; takes milliseconds
+        on_disk, ///< it also survives a crash of the machine; takes milliseconds
     };
     /// Flushes, closes and renames. Nothing may be written afterwards.
     void commit(Until until = Until::written);

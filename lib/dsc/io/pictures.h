@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a complex (thesis, section 8.11): as SVG, with triangles coloured by phase or by
-// something else, the interface bold, places marked; and as files for ParaView.
+// other data, a bold interface and marked positions; and as files for ParaView.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -36,7 +36,7 @@ struct SvgMark {
 struct SvgOptions {
     double size_px = 800;                     ///< the longer side of the picture
     double margin_px = 10;                    ///< around it
-    double edge_width_px = 0.5;               ///< 0: no edges but those of the interface
+    double edge_width_px = 0.5;               ///< 0: only edges of the interface
     double interface_width_px = 2;            ///< 0: no interface
     std::string edge_colour = "#888888";      ///< as SVG and CSS write colours
     std::string interface_colour = "#000000"; ///< the same

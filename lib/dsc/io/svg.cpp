@@ -129,7 +129,7 @@ void write_marks(PartFile& file, const View& view, const SvgOptions& options) {
         file << "<path class=\"mark\" fill=\"none\" stroke=\"" << escape_xml(options.mark_colour)
              << "\" stroke-width=\"3\" d=\"M";
         view.put(file, Point<double>(mark.x, mark.y));
-        // A ring of 12 pixels around it, from its leftmost point.
+        // A ring of 12 pixels around the point, from the ring's leftmost point on.
         file << "m-12 0a12 12 0 1 0 24 0a12 12 0 1 0 -24 0\"><title>" << escape_xml(mark.text)
              << "</title></path>\n";
     }

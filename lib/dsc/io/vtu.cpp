@@ -47,7 +47,7 @@ public:
             }));
         add_all<Triangle>(more);
         file << take_tags() << "</CellData>\n<Points>\n";
-        // The same numbers as `position`, which the file holds once.
+        // The same numbers as `position`, which are stored only once.
         file << tag<Real>("Points", 3, 0) << "</Points>\n<Cells>\n";
         add_cells();
         file << take_tags() << "</Cells>\n</Piece>\n</UnstructuredGrid>\n"

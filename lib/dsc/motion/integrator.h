@@ -63,7 +63,7 @@ Real integrate(Integrator integrator, const Velocity<Real>& velocity,
 /// Interface vertices in one sub-step; entry i of each array belongs to the same vertex.
 template <class Real>
 struct IntegratorStep {
-    Complex<Real>& complex;                  ///< its attributes hold the integrator's data of
+    Complex<Real>& complex;                  ///< its attributes hold the integrator's data for
                                              ///< vertices
     std::span<const std::uint32_t> vertices; ///< those of one submesh
     std::span<const Point<Real>> positions;  ///< at the start
@@ -72,8 +72,8 @@ struct IntegratorStep {
     Real dt;                            ///< the duration
 };
 
-/// Takes the place of `Options::integrator`. An integrator itself is stateless: data of a vertex
-/// belong in an attribute, which follows operations, renumbering, copies and checkpoints
+/// A custom integrator replaces `Options::integrator`. An integrator itself is stateless: data of a
+/// vertex belong in an attribute, which follows operations, renumbering, copies and checkpoints
 /// automatically. One object can serve several simulations.
 template <class Real>
 class CustomIntegrator : public Unmovable {

@@ -27,12 +27,12 @@ inline const InShares one_by_one = [](std::size_t shares, const auto& task) {
 
 /// Bits of `InterfaceView::flags`.
 enum InterfaceFlag : std::uint8_t {
-    /// Not an ordinary point of a curve: it has arms, and no previous and next vertex. Three phases
-    /// meet here, two sheets of the interface touch, or a curve arrives at the domain boundary.
-    /// Where a pass of the application has just put an edge on the interface, the vertices beside
-    /// it count as junctions for one sub-step.
+    /// The vertex is not an ordinary point of a curve: it has arms instead of a previous and a next
+    /// vertex. Three phases meet here, two sheets of the interface touch, or a curve arrives at the
+    /// domain boundary. Where a pass of the application has just put an edge on the interface, the
+    /// vertices beside it count as junctions for one sub-step.
     interface_junction = 1U,
-    interface_feature = 2U,  ///< is kept; its normal and curvature are not those of a smooth curve
+    interface_feature = 2U,  ///< is kept; normal and curvature are not those of a smooth curve
     interface_boundary = 4U, ///< lies on the domain boundary, along which alone it can slide
     interface_locked = 8U,   ///< does not move, whatever its velocity
 };

@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// Where a new vertex on an interface edge goes.
+/// The position of a new vertex on an interface edge.
 enum class Insertion : std::uint8_t {
     linear, ///< the midpoint of the edge
     cubic,  ///< 4-point Lagrange by chord length; one-sided or linear at features
@@ -27,7 +27,7 @@ inline constexpr std::array insertion_names{
     return name_in(insertion_names, insertion);
 }
 
-/// How the interface is interpreted between its vertices.
+/// The shape of the interface between its vertices.
 enum class Reading : std::uint8_t {
     chords, ///< the edges themselves: second order in their length
     cubic,  ///< the 4-point Lagrange cubic by chord length: fourth order

@@ -54,7 +54,7 @@ enum class MoveOutcome : std::uint8_t {
     blocked, ///< it could not move at all
 };
 
-/// Moves by less than this share of the way are not made: rounding would outweigh them.
+/// Moves by less than this fraction of the way are not made, because rounding would outweigh them.
 inline constexpr double min_fraction = 1e-3;
 
 /// A vertex counts as arrived once it is this near to its target: so many units in the last place

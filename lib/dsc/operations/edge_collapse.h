@@ -17,7 +17,7 @@ namespace dsc {
 /// end of a curve into another vertex along the domain boundary.
 enum class JunctionRule : std::uint8_t { kept, may_merge };
 
-/// Which vertices may be collapsed along the domain boundary: those where it is straight to the bit
+/// Which vertices may be collapsed along the domain boundary: those at which it is exactly straight
 /// (thesis, section 6.5), or those without which it keeps its shape within `side_deviation`.
 enum class BoundaryRule : std::uint8_t { exact, smooth };
 
@@ -29,7 +29,7 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept,
                             BoundaryRule boundary = BoundaryRule::exact);
 
-/// Which end of an edge a vertex is, as seen from the corner that names the edge; empty if the edge
+/// The end of an edge that a vertex is, seen from the corner that names the edge; empty if the edge
 /// is not alive or the vertex is not one of its ends. O(1).
 template <class Real>
 [[nodiscard]] std::optional<rewire::Vanishing> end_of(const Complex<Real>& complex, Edge edge,

@@ -17,7 +17,7 @@ Verdict edge_flip_guard(const Complex<Real>& complex, const Region& region, Corn
     const Corner other = complex.twin(corner);
     const bool owned = owns_triangle(complex, region, triangle_of(corner));
     if (is_border(other)) {
-        // Every simplex outside the submesh gets the same answer.
+        // Every simplex outside the submesh gets the same verdict.
         return owned ? Verdict::on_boundary : Verdict::on_submesh_boundary;
     }
     if (!owned || !owns_triangle(complex, region, triangle_of(other))) {

@@ -72,8 +72,9 @@ Real worst_quality_squared(const Star<Real>& star, Real px, Real py) {
     return worst * Real(4.0 / 3.0);
 }
 
-/// The same after a collapse of the centre into link vertex i: its two triangles vanish, the others
-/// take link vertex i for the centre. Only for closed stars of at least four triangles.
+/// The smallest squared quality after a collapse of the centre into link vertex i: its two
+/// triangles vanish, the others take link vertex i for the centre. Only for closed stars of at
+/// least four triangles.
 template <class Real>
 Real worst_quality_squared_after_collapse(const Star<Real>& star, std::uint32_t i) {
     const std::uint32_t n = star.size;
@@ -113,8 +114,8 @@ bool certainly_positive(const Star<Real>& star, Real px, Real py) {
     }
     // Below this, products may have lost bits to underflow.
     constexpr Real guard = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    // A minimum ignores NaN. So a centre that is NaN, or so far away that products overflow and
-    // their difference is NaN, is refused here.
+    // A minimum ignores NaN. Written so that the comparison also refuses a centre that is NaN, or
+    // so far away that products overflow and their difference is NaN.
     constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
     return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
 }

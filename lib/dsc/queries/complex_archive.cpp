@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Declared with the complex; defined here because it calls the validator.
+// The archive of a complex, which is declared with it but defined here because it calls the
+// validator.
 #include "dsc/complex/complex.h"
 #include "dsc/queries/validate.h"
 

@@ -30,7 +30,7 @@ using detail::Outline;
 template <class Real>
 Outline measure_outline(const Complex<Real>& complex, std::span<const Corner> corners) {
     Outline outline{.first = corners.front(), .phase = complex.phase_at(corners.front())};
-    // In plain numbers: points as vectors would be stored and loaded again.
+    // Uses plain numbers, because points as vectors would be stored and loaded again.
     const auto at = [&](Corner c) -> const auto& { return complex.vertices[complex.vertex(c)]; };
     const auto& origin = at(next(corners.front()));
     double from_x = 0;
@@ -61,7 +61,7 @@ std::vector<Corner> find_constrained(std::span<const TriangleRecord> records,
         const auto differs = [phase, phase_of, &across = records[t].n](std::uint32_t i) {
             return phase ^ phase_of[triangle_of(across[i])];
         };
-        // One branch in place of three, which nobody could predict.
+        // One branch instead of three that the processor could not predict.
         if (phase != no_id && (differs(0) | differs(1) | differs(2)) != 0) [[unlikely]] {
             for (std::uint32_t i = 0; i < 3; ++i) {
                 if (differs(i) != 0) {
@@ -91,10 +91,10 @@ void fill_component(const Complex<Real>& complex, std::uint32_t from, std::uint3
     }
 }
 
-// Fills all components of each phase but the largest, whose triangles keep their phase. In the
-// plane a component has one outline that is no hole. One that rounding keeps from being told apart
-// from a hole may be of a component that is filled already, or of the only one; then the largest
-// is filled as well, and no triangle keeps the phase.
+// Fills all components of each phase except the largest, whose triangles keep their phase. In the
+// plane a component has exactly one outline that is no hole. If rounding makes an outline
+// indistinguishable from a hole, it may belong to a component that is already filled, or to the
+// only one; the largest is then filled as well, and no triangle keeps the phase.
 template <class Real>
 void fill_components(const Complex<Real>& complex, std::vector<Outline> outlines,
                      std::vector<std::uint32_t>& of) {
@@ -151,7 +151,8 @@ std::vector<Component> number_components(const Complex<Real>& complex,
 template <class Real>
 Components components(const Complex<Real>& complex) {
     Components result;
-    // At first the phase of each triangle: side by side, those of neighbours are in the cache.
+    // Initially the phase of each triangle, in a compact array, so that those of neighbours are in
+    // the cache.
     std::vector<std::uint32_t>& of = result.of;
     static_assert(border_phase == no_id);
     of.resize(complex.triangle_bound());

@@ -11,10 +11,10 @@ namespace dsc {
 
 namespace {
 
-// The boundary, edge by edge; each edge has its triangle on the left.
+// The edges of the boundary, each with its triangle on the left.
 struct Boundary {
     std::vector<Point<double>> points;     // where edge i begins
-    std::vector<NetworkLine> edges;        // from point i to the next one of its loop
+    std::vector<NetworkLine> edges;        // edge i: from point i to the next one of its loop
     std::vector<Vertex> vertices;          // at point i
     std::vector<std::uint32_t> components; // of edge i
     std::vector<std::uint32_t> loops;      // the first edge of each

@@ -13,10 +13,10 @@
 
 namespace dsc {
 
-/// Says in words where Euler's formula is violated or the domain overlaps itself; empty if neither
-/// is so. The links, stars and orientations of the complex must be correct. Fills in the report's
-/// counts of edges, components and loops. O(n + b log b) for b boundary edges, and O(b) for each
-/// loop where there are several components.
+/// Describes in words where Euler's formula is violated or the domain overlaps itself; empty if
+/// neither is the case. The links, stars and orientations of the complex must be correct. Fills in
+/// the report's counts of edges, components and loops. O(n + b log b) for b boundary edges, and
+/// O(b) for each loop where there are several components.
 template <class Real>
 [[nodiscard]] std::string find_overlap(const Complex<Real>& complex, ValidationReport& report);
 

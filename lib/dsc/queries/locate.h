@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point location: which simplex contains a point.
+// Point location: finds the simplex that contains a point.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -11,10 +11,10 @@ struct Location {
     /// Where a point may lie.
     enum class Kind : std::uint8_t { outside, triangle, edge, vertex };
 
-    Kind kind = Kind::outside; ///< of the simplex that has the point in its interior
-    Triangle triangle;         ///< the point is in it or on its boundary; invalid where outside
-    Edge edge;                 ///< valid where kind is `edge`
-    Vertex vertex;             ///< valid where kind is `vertex`
+    Kind kind = Kind::outside; ///< dimension of the simplex that has the point in its interior
+    Triangle triangle; ///< a triangle with the point inside or on its boundary; invalid if outside
+    Edge edge;         ///< valid where kind is `edge`
+    Vertex vertex;     ///< valid where kind is `vertex`
 
     friend bool operator==(const Location&, const Location&) = default;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Declared with the complex; defined here because it calls the validator.
+// `make_complex`, which is declared with the complex but defined here because it calls the
+// validator.
 #include "dsc/base/error.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"

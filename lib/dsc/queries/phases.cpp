@@ -25,7 +25,7 @@ std::vector<Phase> phases(const Complex<Real>& complex) {
 
 namespace {
 
-// In scalars: Eigen vectors would be stored and loaded again.
+// In scalars: Plain numbers, because Eigen's vectors would be stored and loaded again.
 template <class Real>
 double area_in_double(const Complex<Real>& complex, Triangle t) {
     const auto& v = complex.triangles[t.id].v;
@@ -87,12 +87,12 @@ private:
         curve.vertices.push_back(Vertex{complex_.vertex(prev(c))});
         return curve;
     }
-    // The edges of the phase on the left, whatever is on their other side.
+    // The test for edges of the phase on the left, with any phase on their other side.
     [[nodiscard]] auto around(Phase left) const {
         return [this, left](Corner c) { return complex_.phase_at(complex_.twin(c)) != left; };
     }
 
-    // Back to the first half-edge of the curve, or all the way around to `c`.
+    // Walks back to the first half-edge of the curve, or all the way around to `c`.
     [[nodiscard]] Corner find_begin(Corner c, bool& is_closed) const {
         Corner begin = c;
         while (true) {
@@ -111,9 +111,9 @@ private:
         const Corner after = next_along(complex_, c, around(complex_.phase_at(c)));
         return goes_on(c, after) ? after : no_id;
     }
-    // Whether these two are the only interface edges at the vertex where the first one ends and the
-    // second one starts. On the left there is nothing between them. So either both are edges of the
-    // domain boundary, or turning from the other side of the second one leads to the first one
+    // Whether these two are the only interface edges at the vertex at which the first one ends and
+    // the second one starts. There is no edge between them on the left. So either both are edges of
+    // the domain boundary, or turning from the other side of the second edge leads to the first one
     // without meeting another phase or the border.
     [[nodiscard]] bool goes_on(Corner before, Corner after) const {
         Corner beyond = complex_.twin(after);
@@ -123,7 +123,8 @@ private:
         }
         const Phase right = complex_.phase_at(beyond);
         while (true) {
-            // The half-edge of `beyond` ends at the vertex; the next one of its triangle leaves it.
+            // The half-edge of `beyond` ends at the vertex; the next one of its triangle starts
+            // there.
             beyond = next(beyond);
             if (beyond == wanted) {
                 return true;

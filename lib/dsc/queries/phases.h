@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Phases, and what is derived from them (thesis, section 8.6): the interface, the domain boundary,
-// the connected components, and the curves where phases meet. `interface_curves` cuts the whole
-// interface at its junctions; `outlines` gives the closed loops around one phase, or around several
-// taken together. Handles must be alive. Thread-safe while nobody writes.
+// Phases, and quantities derived from them (thesis, section 8.6): the interface, the domain
+// boundary, the connected components, and the curves where phases meet. `interface_curves` cuts the
+// whole interface at its junctions; `outlines` gives the closed loops around one phase, or around
+// several taken together. Handles must be alive. Thread-safe while nobody writes.
 #pragma once
 
 #include "dsc/complex/circulate.h"
@@ -32,7 +32,7 @@ template <class Real, class Test>
 [[nodiscard]] bool any_edge(const Complex<Real>& /*complex*/, Triangle t, Test test) {
     return test(corner_of(t.id, 0)) || test(corner_of(t.id, 1)) || test(corner_of(t.id, 2));
 }
-/// The same of an edge alone. O(1).
+/// The same for a single edge. O(1).
 template <class Real, class Test>
 [[nodiscard]] bool any_edge(const Complex<Real>& /*complex*/, Edge e, Test test) {
     return test(e.id);
@@ -69,7 +69,8 @@ template <class Real>
 struct Component {
     Phase phase = exterior_phase; ///< of all its triangles
     std::uint32_t triangles = 0;  ///< how many
-    /// Closed curves around it, the outer one included. Holes that touch at a vertex share one.
+    /// The closed curves around the component, including the outer one. Holes that touch at a
+    /// vertex share a curve.
     std::uint32_t outlines = 0;
     bool touches_border = false; ///< an edge of the domain boundary belongs to it
     double area = 0;             ///< in squared units of the domain
@@ -120,10 +121,11 @@ template <class Real, class Joined>
             continue;
         }
         const std::array<bool, 3> is_joined = joined(Triangle{t});
-        const auto of_neighbour = [&](std::uint32_t i) { // no_id: comes later, or is not joined
-            const std::uint32_t number = number_of[triangle_of(triangle.n[i])];
-            return is_joined[i] ? number : no_id;
-        };
+        const auto of_neighbour =
+            [&](std::uint32_t i) { // no_id: the neighbour comes later, or is not joined
+                const std::uint32_t number = number_of[triangle_of(triangle.n[i])];
+                return is_joined[i] ? number : no_id;
+            };
         const std::array before{of_neighbour(0), of_neighbour(1), of_neighbour(2)};
         std::uint32_t number = std::min(before[0], std::min(before[1], before[2]));
         if (number == no_id) [[unlikely]] {
@@ -229,7 +231,7 @@ private:
     std::vector<std::uint32_t> begin_; ///< where the corners of each range of ids begin in `all_`
     int shift_ = 0;                    ///< a range has two to this power corners
     std::vector<std::uint8_t> is_taken_;
-    std::size_t first_ = 0; ///< all before it have been taken
+    std::size_t first_ = 0; ///< all half-edges before it have been taken
 };
 
 /// Calls `visit(std::span<const Corner>)` for each closed loop of half-edges for which
@@ -250,11 +252,11 @@ void for_each_loop(const Complex<Real>& complex, HalfEdges half_edges, IsEdge is
     }
 }
 
-/// A piece of the interface with the same two phases along its whole length.
+/// A curve of the interface, with the same two phases along its whole length.
 struct InterfaceCurve {
-    /// In order; each is joined to the one before by an interface edge. A closed curve does not
-    /// repeat its first vertex. An open one has two vertices or more; they are distinct, except for
-    /// the ends of a curve that returns to its junction.
+    /// The vertices in order; each is joined to the previous one by an interface edge. A closed
+    /// curve does not repeat its first vertex. An open one has two vertices or more; they are
+    /// distinct, except for the ends of a curve that returns to its junction.
     std::vector<Vertex> vertices;
     bool is_closed = false;       ///< without ends
     Phase left = exterior_phase;  ///< the larger one; at the domain boundary, the phase inside
@@ -293,7 +295,9 @@ outlines_where(const Complex<Real>& complex, Belongs belongs,
     const auto is_edge = [&](Corner c) {
         return is_inside(complex.phase_at(c)) && !is_inside(complex.phase_at(complex.twin(c)));
     };
-    const bool is_listed = interface && !belongs(exterior_phase); // else not by the interface alone
+    const bool is_listed =
+        interface &&
+        !belongs(exterior_phase); // otherwise the interface alone does not determine it
     for_each_loop(complex,
                   is_listed ? HalfEdges(complex, *interface, is_edge) : HalfEdges(complex, is_edge),
                   is_edge, [&](std::span<const Corner> corners) {

@@ -14,7 +14,7 @@ namespace dsc {
 
 namespace {
 
-// Each check returns what is wrong in words, or nothing.
+// Each check returns a fault in words, or nothing.
 using Problem = std::string;
 
 std::string name(const char* kind, std::uint32_t id) {
@@ -161,8 +161,8 @@ Problem check_orientation(const Complex<Real>& complex, std::uint32_t t) {
     return name_triangle(complex, t) + (sign == 0 ? ": it is degenerate" : ": it is inverted");
 }
 
-// Each check runs over all triangles before the next one: a bad vertex also breaks the links of its
-// triangle's neighbours, and is to be reported first.
+// Each check runs over all triangles before the next check, because a bad vertex also breaks the
+// links of its triangle's neighbours and must be reported first.
 template <class Real, class Check>
 Problem check_triangles(const Complex<Real>& complex, Check check) {
     for (const Triangle t : triangles(complex)) {

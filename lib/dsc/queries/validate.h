@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Is this a simplicial complex (thesis, chapter 3), and a manifold (section 3.2)?
+// Validation: whether a complex is simplicial (thesis, chapter 3) and a manifold (section 3.2).
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -12,7 +12,7 @@ namespace dsc {
 /// What `validate` found. The counts are of living simplices; those below `unused_vertices` are
 /// filled in only if the links are consistent.
 struct ValidationReport {
-    std::string problem; ///< empty if all is well; else the first bad element and what is wrong
+    std::string problem;               ///< empty if valid; else the first bad element and its fault
     std::uint64_t vertices = 0;        ///< living vertices, unused ones included
     std::uint64_t triangles = 0;       ///< living triangles
     std::uint64_t unused_vertices = 0; ///< living vertices without triangles: allowed
@@ -26,13 +26,13 @@ struct ValidationReport {
     [[nodiscard]] bool ok() const { return problem.empty(); }
 };
 
-/// Checks everything that can be wrong, with exact predicates. It may be called on arbitrary data:
-/// broken links neither crash it nor trap it in a loop. In this order: the border triangle; the
-/// size of the attributes; the vertices (finite, corner at itself); the triangles (vertices alive
-/// and distinct, phase not reserved, links symmetric and with the same vertices at both sides,
-/// orientation > 0); the free ids; every vertex a disc or half disc that goes around it once; the
-/// Euler characteristic; and that the boundary nowhere meets itself and no component covers
-/// another. Together these say that no two simplices overlap anywhere. O(n + b log b) for b
+/// Checks all properties of a valid complex, with exact predicates. It may be called on arbitrary
+/// data: broken links cause neither a crash nor an endless loop. In this order: the border
+/// triangle; the size of the attributes; the vertices (finite, corner at itself); the triangles
+/// (vertices alive and distinct, phase not reserved, links symmetric and with the same vertices at
+/// both sides, orientation > 0); the free ids; every vertex a disc or half disc that goes around it
+/// once; the Euler characteristic; and that the boundary nowhere meets itself and no component
+/// covers another. Together these say that no two simplices overlap anywhere. O(n + b log b) for b
 /// boundary edges, and O(b) more for each loop where there are several components.
 template <class Real>
 [[nodiscard]] ValidationReport validate(const Complex<Real>& complex);

@@ -24,14 +24,14 @@ Real min_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b,
     const Real squared = ex * ex + ey * ey;
     const Real along = -(ax * ex + ay * ey);
     const Real across = std::abs(ax * by - ay * bx);
-    // How far the front rises along the edge, and how far it moves sideways: 0 where the value is
-    // steeper than the slope, so that the minimum is at the lower end.
+    // The components of the front's slope along and across the edge: the latter is 0 if the value
+    // is steeper than the slope, so that the minimum is at the lower end.
     const Real rise = (value_b - value_a) / slope;
     const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
     const Real foot = along * sideways - across * rise; // over sideways: along the edge
     const Real value = value_a + slope * (rise * along + sideways * across) / squared;
-    // Selects between constants: a selection between computed values would become a branch, and the
-    // loop over lanes would not be vectorised.
+    // Selects between constants, because a selection between computed values would become a branch,
+    // and the loop over lanes would not be vectorised.
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Real bound = std::min(foot, squared * sideways - foot) > 0 ? -infinity : infinity;
     return std::max(bound, value);
@@ -86,9 +86,9 @@ public:
 
     /// The growth of a target per unit of length.
     [[nodiscard]] Real slope() const { return slope_; }
-    /// Changes by less than this share of the target are ignored. Two neighbours that limit each
-    /// other rise by the slope times the edge between them, which is longer than the 0.3 above
-    /// times their target: the slack does not stop them.
+    /// Changes by less than this fraction of the target are ignored. The slack does not stop two
+    /// neighbours that limit each other: in each pass they rise by the slope times the edge between
+    /// them, which is longer than 0.3 times their target.
     [[nodiscard]] Real slack() const { return slack_; }
     /// Whether targets depend on the distance to the interface, which is then stored.
     [[nodiscard]] bool needs_distance() const { return bool(options_.by_distance); }
@@ -117,7 +117,7 @@ public:
         return least;
     }
 
-    /// The target of interface edges at a place; requires the option `on_interface`.
+    /// The target of interface edges at a point; requires the option `on_interface`.
     [[nodiscard]] Real on_interface(const Point<Real>& place, Real time) const {
         return checked(options_.on_interface(place, time), "sizes.on_interface", place);
     }
@@ -135,7 +135,7 @@ public:
         if (needs_distance() || !star.closed) {
             return false;
         }
-        // A target between these two is ignored, however it is rounded.
+        // A change to a target between these two is ignored, whatever its rounding.
         const Real least = stored / (1 + slack_) * Real(1 + 1e-5);
         const Real most = stored * (1 + slack_) * Real(1 - 1e-5);
         const Real alone = own(star, 0, time);
@@ -154,8 +154,8 @@ public:
             const Real incident_edge = slope_ * slope_ * (ax * ax + ay * ay);
             const Real room = most - here;
             is_low_enough |= incident_edge <= room * std::abs(room);
-            // On the edge, no value is below that of its lower end, and no point is nearer than the
-            // line through it.
+            // No value on the edge is below that of its lower end, and no point is nearer than the
+            // line through the edge.
             const Real across = slope_ * (ax * by - ay * bx);
             const Real lack = least - std::min(here, next);
             is_high_enough &= across * across >= lack * std::abs(lack) * (ex * ex + ey * ey);
@@ -180,7 +180,7 @@ public:
     }
 
 private:
-    // Checks the length that a function of the application returned for a place.
+    // Checks the length that a function of the application returned for a point.
     [[nodiscard]] Real checked(Real length, const char* name, const Point<Real>& place) const {
         if (!(length > 0)) [[unlikely]] {
             throw InputError({.what = "not a length",

@@ -94,7 +94,7 @@ private:
     }
 
     void lower(std::uint32_t v, Real value) {
-        constexpr Real worth = Real(1e-3); // of the value: smaller decreases are ignored
+        constexpr Real worth = Real(1e-3); // relative: smaller decreases of the value are ignored
         if (value < values_[v] && !(values_[v] - value < worth * value)) {
             values_[v] = value;
             queue_.push({value, v});

@@ -88,8 +88,8 @@ void check_sizes(const SizeOptions<Real>& sizes, Real edge_length);
 template <class Real>
 struct VertexSize {
     Real length = std::numeric_limits<Real>::infinity();   ///< target of edges
-    Real distance = std::numeric_limits<Real>::infinity(); ///< to the interface; stored only for
-                                                           ///< `by_distance`
+    Real distance = std::numeric_limits<Real>::infinity(); ///< distances to the interface; stored
+                                                           ///< only for `by_distance`
 };
 
 template <class Real>
