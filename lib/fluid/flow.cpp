@@ -23,7 +23,7 @@ bool has_even_edges(const Options<double>& options) {
            !options.sizes.on_interface;
 }
 
-// By how much area each phase grows per time, by what flows through the boundary.
+// The growth of each phase's area per unit of time by inflow and outflow.
 std::vector<double> inflows_of(const FluidField& field, const std::vector<PhaseArea>& areas) {
     std::vector<double> inflows(areas.size(), 0);
     for (const SnapshotTriangle& triangle : field.mesh.triangles) {
@@ -45,7 +45,7 @@ std::vector<double> inflows_of(const FluidField& field, const std::vector<PhaseA
 }
 
 // The part of each phase's area that its edges on the domain boundary sweep from the origin; none
-// in a rectangle along the axes, whose sides keep their shape to the bit.
+// in a rectangle along the axes, whose sides keep their shape exactly.
 std::vector<double> swept_by_boundary(const MeshSnapshot& mesh,
                                       const std::vector<PhaseArea>& areas) {
     std::vector<double> swept(areas.size(), 0);
@@ -85,17 +85,17 @@ std::vector<double> swept_by_boundary(const Complex<double>& complex,
     return swept;
 }
 
-// The areas that the phases are held to in a step.
+// The areas that phases must have after a step.
 class AreaAccount {
 public:
-    // `inflows` is empty where nothing flows through the boundary, `swept` in a rectangle.
+    // `inflows` is empty if there is no inflow or outflow, `swept` in a rectangle.
     AreaAccount(const std::vector<PhaseArea>& before, double start, std::vector<double> inflows,
                 std::vector<double> swept)
         : areas_(before), start_(start), inflows_(std::move(inflows)), swept_(std::move(swept)),
           has_sides_(!inflows_.empty() || !swept_.empty()) {}
 
-    // Remeshing changes a curved side a little, which is no flow of what lies beside it: between
-    // the last solution and the first sub-step it is all that does.
+    // Remeshing changes a curved side slightly, which is no flow of the fluid beside it; between
+    // the last solution and the first sub-step only remeshing changes it.
     void begin(const InterfaceView<double>& view, double time) {
         if (time == start_ && !swept_.empty()) {
             const std::vector<double> now = swept_by_boundary(view.complex, view.vertices, areas_);
@@ -106,7 +106,7 @@ public:
         }
     }
 
-    // Vertices of the boundary do not follow what flows through it, or leave a curved side.
+    // Vertices of the boundary neither follow inflow and outflow nor leave a curved side.
     void keep_on_boundary(const InterfaceView<double>& view,
                           std::span<Point<double>> targets) const {
         for (std::size_t i = 0; i < view.size() && has_sides_; ++i) {
@@ -150,9 +150,9 @@ private:
     bool has_sides_; // which vertices could leave
 };
 
-// Carries the interface with the fluid, by the Runge-Kutta method of order 4, spreads its vertices
-// and then holds the areas. Each search for a velocity begins at a triangle that the vertex alone
-// decides.
+// Advects the interface with the fluid by the Runge-Kutta method of order 4, spaces its vertices
+// evenly and then restores the areas. Each search for a velocity begins at a triangle that the
+// vertex alone decides.
 InterfaceMotion<double> motion_in(const FluidPast& past, AreaAccount& account, bool is_even) {
     return [past, &account, is_even](const InterfaceView<double>& view, double time, double dt,
                                      std::span<Point<double>> displacements) {
@@ -211,7 +211,7 @@ double error_of_motion(const FluidField& field, const FluidPast& moving_vertex, 
     return largest;
 }
 
-constexpr double min_factor = 0.3; // of a step to the step before
+constexpr double min_factor = 0.3; // ratio of a step to the previous one
 
 // The duration for which the error, which grows with its third power, meets the tolerance, with a
 // margin, because a step with a larger error is not repeated.
@@ -286,8 +286,8 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
              .allowed = "a Simulation of the Complex given to the constructor of Fluid"});
     }
     FluidStep report;
-    // At rest the velocity cannot be extrapolated: the first step moves the interface by the
-    // solution in the old mesh for the end of the step.
+    // At the start, at rest, the velocity cannot be extrapolated: the first step moves the
+    // interface by the solution in the old mesh for the end of the step.
     std::unique_ptr<FluidField> guess;
     FluidPast moving_vertex = past();
     if (options_.equations == FluidEquations::navier_stokes && two_ == nullptr) {
@@ -336,7 +336,7 @@ FluidStep Fluid::advance(Simulation<double>& simulation, double duration) {
 void Fluid::archive(Archive& archive) {
     as_a_whole(archive, [&](Archive& each) {
         transfer(each);
-        // Not checked for the value read back: the mesh may have changed by then.
+        // This bound is not checked for a value read back, because the mesh may have changed since.
         each.expect(!archive.is_reading() || &each != &archive ||
                         one_->mesh.vertex_bound == complex_.vertex_bound(),
                     "contains the flow of another mesh");
@@ -358,7 +358,7 @@ void Fluid::transfer(Archive& archive) {
     }
 }
 
-// Extrapolated in time, as the velocity is.
+// The pressure is extrapolated in time, like the velocity.
 std::vector<double> Fluid::inflows_at(const FluidPast& past, double at) const {
     const Walls& walls = options_.walls;
     const bool is_open = std::ranges::any_of(

@@ -17,7 +17,7 @@ struct FluidSystem;
 struct FluidStep {
     int steps = 1;         ///< number of completed steps
     double error = 0;      ///< estimate of the largest error of the interface, in edge lengths
-    StepReport moved;      ///< of the simulation: sums, and the state after the last step
+    StepReport moved;      ///< report of the simulation: sums, and the state after the last step
     SolveReport solved;    ///< of velocity and pressure
     double move_s = 0;     ///< seconds for the simulation, including interpolation of velocities
     double assembly_s = 0; ///< seconds for the copy of the mesh, the numbering and the matrix
@@ -47,10 +47,10 @@ struct FluidStep {
 /// bitwise identical for any number of threads. Not thread-safe.
 class Fluid {
 public:
-    /// At rest, at time 0; for `FluidEquations::stokes` with the velocity that the interface gives.
-    /// The complex must outlive the fluid. Throws InputError if an option is out of range, a phase
-    /// has no properties, or two phases meet without a tension; SolveError if the equations of
-    /// Stokes cannot be solved.
+    /// Makes a fluid at rest at time 0; for `FluidEquations::stokes`, with the velocity that
+    /// follows from the interface. The complex must outlive the fluid. Throws InputError if an
+    /// option is out of range, a phase has no properties, or two phases meet without a tension;
+    /// SolveError if the equations of Stokes cannot be solved.
     Fluid(const Complex<double>& complex, FluidOptions options);
     ~Fluid();
     Fluid(const Fluid&) = delete;
@@ -65,7 +65,7 @@ public:
     /// that gave up, the mesh may have moved while the flow has not: to be able to go back, archive
     /// the simulation and the fluid before a step that may fail.
     FluidStep step(Simulation<double>& simulation, double dt);
-    /// Steps until `time() + duration`: in one step, or with a tolerance in as many as needed. The
+    /// Advances to `time() + duration`: in one step, or with a tolerance in as many as needed. The
     /// error of a step is estimated from the difference between the new velocity and the one that
     /// moved the interface. It determines the length of the next step, from a thousandth of the
     /// duration to all of it; a step that exceeds the tolerance is not repeated. Stops when a step
@@ -92,11 +92,11 @@ private:
 
     const Complex<double>& complex_;
     FluidOptions options_;
-    std::vector<PhaseArea> areas_;        ///< to be held; what flows in and out is counted
-    double next_dt_ = 0;                  ///< the step that aims at the tolerance; 0: not known yet
+    std::vector<PhaseArea> areas_; ///< areas to be restored, with inflow and outflow
+    double next_dt_ = 0; ///< length of the step that meets the tolerance; 0: not known yet
     std::unique_ptr<FluidField> one_;     ///< the last solution; null only during construction
-    std::unique_ptr<FluidField> two_;     ///< the one before; null at the start
-    std::unique_ptr<FluidSystem> system_; ///< of the last solution: the next one uses its memory
+    std::unique_ptr<FluidField> two_;     ///< the previous solution; null at the start
+    std::unique_ptr<FluidSystem> system_; ///< of the last solution; the next one reuses its memory
 };
 
 } // namespace dsc

@@ -34,7 +34,7 @@ struct CubicOutline {
 /// Energies; only viscosity changes their sum.
 struct FluidEnergy {
     double kinetic = 0;   ///< of all phases
-    double potential = 0; ///< of gravity, relative to the origin of coordinates
+    double potential = 0; ///< energy of gravity, relative to the origin of coordinates
     double surface = 0;   ///< tension times length
 
     /// All of it.

@@ -25,15 +25,16 @@ struct FluidTension {
     Phase one = exterior_phase; ///< either phase of the pair
     Phase other = 1;            ///< the other one
     double tension = 0;         ///< energy per length, 0 or more
-    /// Between the interface and a slip wall, inside `other`: above 0 and below 180 degrees.
+    /// The contact angle between the interface and a slip wall, inside `other`: above 0 and below
+    /// 180 degrees.
     double contact_angle = 90;
 };
 
-/// How a fluid moves at an edge of the domain boundary.
+/// The kind of an edge of the domain boundary.
 enum class Wall : std::uint8_t {
-    no_slip, ///< it moves with the wall: it rests there, unless there is a `wall_velocity`
-    slip,    ///< it slides along without friction, and nothing flows through
-    open,    ///< it flows out, or in, without stress
+    no_slip, ///< the fluid moves with the wall, which rests unless there is a `wall_velocity`
+    slip,    ///< the fluid slides without friction, and nothing flows through
+    open,    ///< the fluid flows out, or in, without stress
 };
 
 /// The sides of the box around the domain, and the rest of its boundary.
@@ -42,7 +43,7 @@ struct Walls {
     Wall right = Wall::no_slip;  ///< at the largest x
     Wall bottom = Wall::no_slip; ///< at the smallest y
     Wall top = Wall::no_slip;    ///< at the largest y
-    Wall other = Wall::no_slip;  ///< where the boundary is not on a side of the box
+    Wall other = Wall::no_slip;  ///< the boundary that is not on a side of the box
 };
 
 /// Which equations are solved.
@@ -57,10 +58,10 @@ struct FluidOptions {
     std::vector<FluidTension> tensions = {}; ///< each pair that meets, in any order
     Point<double> gravity{0.0, 0.0};         ///< acceleration
     Walls walls = {};                        ///< by side
-    /// If set, what the boundary is at an edge, by the middle of the edge, in place of `walls`.
+    /// If set, it gives the kind of a boundary edge, by the edge's midpoint, instead of `walls`.
     std::function<Wall(const Point<double>& middle)> wall_at = {};
-    /// If set, the velocity of the walls that do not slip, by place and time: of walls that move,
-    /// or what flows in. Unless the boundary is open somewhere, as much flows out as in.
+    /// If set, the velocity of walls without slip, by position and time: of moving walls, or of the
+    /// inflow. Unless a part of the boundary is open, inflow and outflow must be equal.
     std::function<Point<double>(const Point<double>& place, double time)> wall_velocity = {};
     FluidEquations equations = FluidEquations::navier_stokes; ///< which are solved
     /// The tension acts at positions extrapolated by this fraction of the change of velocity in a

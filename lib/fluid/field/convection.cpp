@@ -38,8 +38,8 @@ private:
     std::uint32_t two_;
 };
 
-// The position, `duration` ago, of a particle with about the velocity `guess`, by the midpoint
-// rule.
+// The position at the time `duration` ago of a particle with a velocity of about `guess`, by the
+// midpoint rule.
 Point<double> foot(Reader& reader, const Point<double>& at, double time, double duration,
                    const Point<double>& guess) {
     const Point<double> half = at - duration / 2 * guess;

@@ -11,7 +11,7 @@ namespace dsc {
 /// The last two solutions.
 struct FluidPast {
     const FluidField* one = nullptr; ///< the last one
-    const FluidField* two = nullptr; ///< the one before; null: there is none
+    const FluidField* two = nullptr; ///< the field before that; null: there is none
 };
 
 /// The derivative in time along the path of a particle as

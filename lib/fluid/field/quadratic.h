@@ -20,8 +20,8 @@ using Barycentric = std::array<double, 3>;
     return shapes;
 }
 
-/// Their gradients as columns, where the columns of `slopes` are those of the barycentric
-/// coordinates.
+/// The gradients of the shape functions as columns; those of `slopes` are the gradients of the
+/// barycentric coordinates.
 [[nodiscard]] inline Eigen::Matrix<double, 2, 6>
 quadratic_gradients(const Barycentric& at, const Eigen::Matrix<double, 2, 3>& slopes) {
     Eigen::Matrix<double, 2, 6> gradients;

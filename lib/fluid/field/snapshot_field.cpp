@@ -23,7 +23,7 @@ inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle&
     return {first, second, 1 - first - second};
 }
 
-// For walks that do not end: only in a Delaunay triangulation every walk ends.
+// A bound for walks, because only in a Delaunay triangulation every walk ends.
 Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     Spot best;
     double most = -std::numeric_limits<double>::infinity();
@@ -37,13 +37,13 @@ Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     return best;
 }
 
-// Whether a search has come to an edge of the domain, and not only by rounding.
+// Whether a search has reached an edge of the domain, beyond rounding.
 bool is_beyond(const Barycentric& at) {
     constexpr double beyond = -1e-9;
     return std::ranges::any_of(at, [](double a) { return a < beyond; });
 }
 
-// The nearest point of a triangle, nearly: so that a polynomial is not read outside.
+// A point of the triangle close to the nearest one, so that polynomials are not evaluated outside.
 Spot pulled_in(Spot spot) {
     double sum = 0;
     for (double& a : spot.at) {
@@ -155,7 +155,8 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
     for (std::size_t steps = 0; steps < mesh.triangles.size(); ++steps) {
         const SnapshotTriangle& triangle = mesh.triangles[t];
         const Barycentric at = coordinates(mesh, triangle, point);
-        // Across the edge that it lies farthest behind, if that is no edge of the domain.
+        // Continues across the edge behind which the point is farthest, unless that is an edge of
+        // the domain.
         std::uint32_t towards = no_id;
         double least = inside;
         for (std::uint32_t i = 0; i < 3; ++i) {

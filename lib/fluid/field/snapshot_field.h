@@ -36,7 +36,7 @@ struct MeshSnapshot {
     std::vector<Point<double>> nodes;        ///< positions; (0, 0) for free ids
     std::vector<SnapshotTriangle> triangles; ///< the living ones
     std::vector<SnapshotEdge> interface;     ///< each edge between two phases once
-    std::vector<std::uint32_t> triangle_at;  ///< by vertex id: one of its triangles, or no_id
+    std::vector<std::uint32_t> triangle_at;  ///< by vertex id: a triangle of the vertex, or no_id
 };
 
 /// A copy of the complex. O(n).
@@ -52,7 +52,7 @@ struct MeshSnapshot {
 
 /// A point of a mesh.
 struct Spot {
-    std::uint32_t triangle = 0; ///< that contains it, up to rounding
+    std::uint32_t triangle = 0; ///< the triangle that contains the point, up to rounding
     Barycentric at{};           ///< its coordinates there
 };
 
@@ -77,7 +77,7 @@ void archive(Archive& archive, FluidField& field);
 
 /// The velocity at a spot of the field's mesh. O(1).
 [[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
-/// The pressure there, of the phase of the spot's triangle. O(1).
+/// The pressure at a spot, of the phase of its triangle. O(1).
 [[nodiscard]] double pressure_at(const FluidField& field, const Spot& spot);
 
 } // namespace dsc

@@ -9,7 +9,8 @@ namespace {
 
 bool can_slide(const InterfaceView<double>& view, std::size_t i) { return view.flags[i] == 0; }
 
-// The curve from a vertex to the next one; one of the two can slide, so it has two neighbours.
+// The curve from a vertex to the next one, at least one of which can slide and therefore has two
+// neighbours.
 CurveNeighbours<double> curve_between(const InterfaceView<double>& view,
                                       std::span<const Point<double>> targets, std::uint32_t from,
                                       std::uint32_t to) {

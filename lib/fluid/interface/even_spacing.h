@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Spaces the vertices of an interface evenly. The flow makes edges unequal, and so do splits, and a
-// polygon of unequal edges is not at rest where one of equal edges is.
+// Spaces the vertices of an interface evenly. The flow and splits make edges unequal, and under
+// tension a polygon of unequal edges is not at rest, unlike one of equal edges.
 #pragma once
 
 #include "dsc/dsc.h"

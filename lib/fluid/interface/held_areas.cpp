@@ -97,8 +97,8 @@ Eigen::VectorXd distances_for(const InterfaceView<double>& view,
             entries.emplace_back(std::max(left, right), std::min(left, right), -length);
         }
     }
-    // If some phases meet only each other, a common distance changes nothing, and some phases have
-    // no vertex that can move: this multiple of the length makes the distances unique.
+    // A distance common to phases that meet only each other changes nothing, and some phases have
+    // no vertex that can move. Adding this multiple of the length makes the distances unique.
     for (int i = 0; i < n; ++i) {
         entries.emplace_back(i, i, 1e-12 * whole + std::numeric_limits<double>::min());
     }

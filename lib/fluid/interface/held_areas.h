@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conserves the areas of phases: corrects the error of each motion of the interface at once.
+// Conserves the areas of phases by correcting the error of each motion of the interface.
 #pragma once
 
 #include "fluid/field/snapshot_field.h"

@@ -48,7 +48,7 @@ inline void subtract(double* __restrict target, std::size_t n, const Columns& co
     }
 }
 
-// The same for two targets, so that the columns are read once.
+// The same for two targets, so that the columns are read only once.
 inline void subtract(double* __restrict target, double* __restrict second, std::size_t n,
                      const Columns& columns, std::size_t row, const Four& weights,
                      const Four& second_weights) {
@@ -119,7 +119,8 @@ bool eliminate_each(double* first, std::size_t height, std::size_t count, std::s
     return is_good;
 }
 
-// The same for four columns: first their first four rows, then all others, which are read once.
+// The same for four columns: first their first four rows, then all other rows, which are read only
+// once.
 bool eliminate_four(double* first, std::size_t height, std::size_t rows, double* pivots) {
     const bool is_good = eliminate_each(first, height, 4, 4, pivots);
     double* __restrict a = first;

@@ -82,7 +82,7 @@ private:
         const std::size_t border = own.border.size();
         own.left = std::make_unique_for_overwrite<double[]>(border * border);
         for (std::size_t j = 0; j < border;
-             ++j) { // from just above the diagonal, which is read too
+             ++j) { // begins just above the diagonal, which is read too
             const std::size_t first = j - std::min<std::size_t>(j, 1);
             std::fill_n(own.left.get() + j * border + first, border - first, 0.0);
         }
@@ -123,7 +123,7 @@ private:
         std::vector<std::uint32_t> border;
         for_each_unknown(part, [&](std::uint32_t unknown) {
             if (places[unknown] == no_id) {
-                places[unknown] = 0; // for now: marks it as known
+                places[unknown] = 0; // temporarily marks it as known
                 border.push_back(unknown);
             }
         });
@@ -145,14 +145,14 @@ private:
         }
     }
 
-    // Where column `place` of a part begins, counted from its first row.
+    // The begin of column `place` of a part, counted from its first row.
     static double* column(PartFactors& own, std::size_t place) {
         return place < own.count ? own.lower.data() + place * own.height()
                                  : own.left.get() + (place - own.count) * own.border.size();
     }
     void add(const FluidElement& element, PartFactors& own, const Places& places) const {
         std::array<std::pair<std::size_t, Eigen::Index>, 15>
-            rows; // places in the part, and in the element
+            rows; // positions in the part, and in the element
         std::size_t n = 0;
         for (Eigen::Index i = 0; const int unknown : element.unknowns) {
             if (unknown != no_unknown) {

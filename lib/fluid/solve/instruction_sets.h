@@ -4,11 +4,11 @@
 
 #include <cstddef> // defines __GLIBC__ with glibc
 
-/// Put before a function, it compiles the function and the functions that it calls in its file for
-/// each instruction set; the loader chooses the widest that the machine can run. No version
-/// contracts a product and a sum (-ffp-contract=off), so all give bitwise identical results. The
-/// choice needs a resolver, which C libraries other than glibc do not call and sanitizers do not
-/// support.
+/// An attribute of a function: the function, and the functions of its file that it calls, are
+/// compiled for each instruction set, and the loader chooses the widest one that the machine
+/// supports. No version contracts a product and a sum (-ffp-contract=off), so all give bitwise
+/// identical results. The choice needs a resolver, which C libraries other than glibc do not call
+/// and sanitizers do not support.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) &&       \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define DSC_EACH_INSTRUCTION_SET                                                                   \

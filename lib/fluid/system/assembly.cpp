@@ -88,8 +88,8 @@ void add_force(FluidElement& element, const QuadraturePoint& point, const Point<
     }
 }
 
-// The velocity in the middle of an edge between phases is the mean of those at its ends: half of
-// its equations is added to each end.
+// The velocity at the midpoint of an edge between phases is the mean of those at its ends, so half
+// of its equations is added to each end.
 void tie_middle(FluidElement& element, Eigen::Index i) {
     const Eigen::Index middle = 2 * (3 + i);
     for (const Eigen::Index end : {2 * ((i + 1) % 3), 2 * ((i + 2) % 3)}) {
@@ -166,7 +166,7 @@ void add_contacts(FluidSystem& system, const MeshSnapshot& mesh, const FluidOpti
             return (edge.from == end || edge.to == end) &&
                    std::minmax(edge.left, edge.right) == std::minmax(phase, beyond);
         });
-        if (!do_meet) { // or only at this vertex, with a third phase between them
+        if (!do_meet) { // or the phases meet only at this vertex, with a third phase between them
             return;
         }
         const FluidTension& pair = pair_of(options, phase, beyond);

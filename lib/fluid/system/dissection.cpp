@@ -8,9 +8,9 @@ namespace dsc {
 
 namespace {
 
-constexpr std::size_t few = 8;    // triangles: a part of so few is not cut
+constexpr std::size_t few = 8;    // parts of at most this many triangles are not cut
 constexpr std::size_t many = 100; // triangles for which both axes are tried
-constexpr int passes = 3;         // over the triangles beside a cut
+constexpr int passes = 3;         // limit relative to the triangles beside a cut
 
 class Dissector {
 public:
@@ -118,7 +118,7 @@ private:
         return first == 0 || first == triangles.size() ? triangles.size() / 2 : first;
     }
 
-    // The nodes of both halves that belong to no cut so far.
+    // The nodes that both halves have and that belong to no cut yet.
     std::vector<std::uint32_t> on_cut(Triangles triangles, std::size_t half) {
         std::vector<std::uint32_t> nodes;
         ++stamp_;

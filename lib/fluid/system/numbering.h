@@ -16,16 +16,16 @@ inline constexpr int no_unknown = -1;
 /// middle has no unknowns. The pressure of a vertex where phases meet has one unknown for each
 /// phase, so that jumps of the pressure balance the forces of the interface exactly.
 struct FluidNumbering {
-    int size = 0;                                  ///< how many unknowns there are
-    std::vector<std::array<int, 2>> velocity;      ///< by node: x and y, or as `walls` says
-    std::vector<std::array<int, 3>> pressure;      ///< by triangle, at its vertices
+    int size = 0;                             ///< how many unknowns there are
+    std::vector<std::array<int, 2>> velocity; ///< by node: x and y, or the directions in `walls`
+    std::vector<std::array<int, 3>> pressure; ///< by triangle, at its vertices
     std::vector<std::uint8_t> is_middle_of_phases; ///< by node: whether it follows two vertices
     bool has_void = false;                         ///< where the pressure is 0
     FluidWalls walls;                              ///< where velocities are not free
     /// By part of the dissection: the first unknown of its inner nodes; and `size` at the end.
     std::vector<std::uint32_t> first_of_part;
 
-    /// Whether pressures are more than differences.
+    /// Whether pressures are determined absolutely rather than up to a constant.
     [[nodiscard]] bool fixes_pressure() const { return has_void || walls.has_open; }
 };
 

@@ -50,11 +50,11 @@ std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& opt
     return edges;
 }
 
-// What the edges at a node ask for.
+// The conditions of the edges at a node.
 struct AtNode {
     bool sticks = false;
-    std::array<std::optional<Point<double>>, 2> slips; // the ways that the edges there lead
-    std::array<std::uint32_t, 2> ends{no_id, no_id};   // of these: before and after the node
+    std::array<std::optional<Point<double>>, 2> slips; // directions of the edges there
+    std::array<std::uint32_t, 2> ends{no_id, no_id};   // directions before and after the node
 };
 
 void add(AtNode& at, const WallEdge& edge, const MeshSnapshot& mesh, bool is_after) {

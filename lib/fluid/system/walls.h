@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the domain boundary fixes of the velocity, node by node.
+// The velocities that the domain boundary prescribes, node by node.
 #pragma once
 
 #include "fluid/field/snapshot_field.h"
