@@ -8,8 +8,9 @@
 
 namespace dsc {
 
-/// A vector of the plane. Used instead of Eigen's, which are written number by number and read as a
-/// whole: a read right after a write stalls the processor, and a foam takes a quarter more time.
+/// A vector of the plane. A vector used instead of Eigen's, which is written number by number and
+/// read as a whole: a read right after a write stalls the processor, and a foam takes a quarter
+/// more time.
 struct Vector2 {
     double x = 0;
     double y = 0;

@@ -103,7 +103,7 @@ double wall_energy(const CurvatureFlowOptions& options, Phase phase) {
 
 namespace detail {
 
-/// One implicit step, with the areas that are kept in it.
+/// One implicit step, including the areas that are kept.
 struct CurvatureStep {
     CurveSystem system;
     AreaKeeper keeper;
@@ -136,7 +136,7 @@ struct CurvatureWork {
     /// their errors of first order cancel in twice the second result minus the first, which still
     /// damps stiff modes. The step and the first half do not depend on each other.
     void extrapolate(std::span<const KeptArea> kept, double dt, const InShares& in_shares) {
-        constexpr std::size_t few = 128; // vertices: they are done before another thread has begun
+        constexpr std::size_t few = 128; // vertices: fewer are done before another thread has begun
         const std::span<const Vector2> start = network.positions;
         const InShares& shares = start.size() < few ? one_by_one : in_shares;
         graph.begin(network);
@@ -160,8 +160,8 @@ struct CurvatureWork {
     }
 };
 
-/// A spare workspace from an earlier call. A call takes it, or makes a new one while another thread
-/// has it, so that simulations in different threads can share a flow.
+/// A workspace left by an earlier call. Each call uses it, or makes a new one while another thread
+/// uses it, so that simulations in different threads can share a flow.
 class SpareWork {
 public:
     SpareWork() = default;

@@ -25,7 +25,7 @@ struct WallEnergy {
 
 /// A phase whose area is kept.
 struct KeptArea {
-    Phase phase = 1; ///< not the exterior, 0: its area is kept where all others are
+    Phase phase = 1; ///< not the exterior, 0, whose area is constant if all others are
     double area = 0; ///< in units of the domain; usually `phase_area(complex, phase)` at the start
 };
 
@@ -35,7 +35,7 @@ struct KeptArea {
 struct CurvatureFlowOptions {
     double tension = 1;  ///< energy per length, 0 or more; of all pairs that are not in `pairs`
     double mobility = 1; ///< velocity per tension and curvature, above 0; of the same pairs
-    std::vector<PairCurvature> pairs = {}; ///< in any order, each pair once
+    std::vector<PairCurvature> pairs = {}; ///< values of single pairs, in any order, each pair once
     /// An interface meets the domain boundary at the contact angle of T. Young, "An essay on the
     /// cohesion of fluids" (1805): through phase a against phase b its cosine is the energy under b
     /// minus that under a, divided by the tension. Without these it is 90 degrees.
@@ -50,10 +50,10 @@ struct CurvatureFlowOptions {
 /// or end on a straight side of the domain at 90 degrees, in time; of order 3/2 in time at
 /// junctions and at other contact angles. The steps may be long: the flow is stable for any, and
 /// the driver limits its sub-steps by the distance that a vertex moves, so that they are
-/// proportional to the edge length where curves are smooth. Curves at junctions then move a little
-/// too slowly: a lens of width w loses its area too slowly by 0.18, 0.06 and 0.02 % if all tensions
-/// are equal, and by 1.1, 0.4 and 0.14 % if that of the line through it is 1.6 times the others, in
-/// steps of w^2 / 320, w^2 / 640 and w^2 / 1280 (tension and mobility 1).
+/// proportional to the edge length where curves are smooth. Curves at junctions move slightly too
+/// slowly with such steps: in steps of w^2 / 320, w^2 / 640 and w^2 / 1280 (tension and mobility 1)
+/// a lens of width w loses its area too slowly by 0.18, 0.06 and 0.02 % if all tensions are equal,
+/// and by 1.1, 0.4 and 0.14 % if that of the line through it is 1.6 times the others.
 ///
 /// Each step is linear in the new positions, with the lengths of the old ones: G. Dziuk, "An
 /// algorithm for evolutionary surfaces" (1990), with lumped masses. Junctions are moved by the

@@ -81,8 +81,8 @@ std::uint32_t CurveGraph::far_end(std::uint32_t edge, std::uint32_t vertex) cons
     return e.from == vertex ? e.to : e.from;
 }
 
-// Follows the curve that leaves the anchor by this edge, to its other anchor. Ends the share after
-// it if that has enough vertices.
+// Follows the curve that starts at the anchor with this edge, to its other anchor. Ends the share
+// after the curve if the share has enough vertices.
 void CurveGraph::follow(std::uint32_t anchor, std::uint32_t edge) {
     NetworkCurve curve{.begin = places_.size(),
                        .end = 0,

@@ -32,16 +32,17 @@ struct CurveSide {
 /// A vertex between two anchors of a curve.
 struct CurvePlace {
     std::uint32_t vertex;
-    CurveSide before; ///< from it to the vertex before it, or the first anchor
+    CurveSide before; ///< edge from it to the previous vertex, or to the first anchor
 };
 
-/// Successive vertices between two anchors, which are junctions, or twice the cut of a loop.
+/// A curve: successive vertices between two anchors, which are junctions, or twice the cut of a
+/// loop.
 struct NetworkCurve {
     std::size_t begin;  ///< of its places
-    std::size_t end;    ///< of its places; `begin` if an edge joins two junctions
+    std::size_t end;    ///< of its places; equals `begin` if an edge joins two junctions
     std::uint32_t from; ///< the anchor before the first vertex
     std::uint32_t to;   ///< the anchor after the last one
-    CurveSide last;     ///< from the last vertex to `to`
+    CurveSide last;     ///< edge from the last vertex to `to`
     bool is_loop;
 };
 
@@ -89,7 +90,7 @@ public:
     [[nodiscard]] std::uint32_t number(std::uint32_t junction) const { return number_[junction]; }
 
 private:
-    /// Where a share ends in the lists; the next one begins there.
+    /// The end of a share in the lists; the next one begins there.
     struct ShareEnd {
         std::size_t curves = 0;
         std::size_t vertices = 0;
@@ -105,17 +106,17 @@ private:
 
     const CurveNetwork* network_ = nullptr;
     std::vector<std::uint32_t> degree_;                  ///< edges at each vertex
-    std::vector<std::array<std::uint32_t, 2>> edges_at_; ///< of each vertex that has just two
+    std::vector<std::array<std::uint32_t, 2>> edges_at_; ///< of each vertex with exactly two edges
     std::vector<std::uint8_t> is_taken_;                 ///< by edge: it is part of a curve
     std::vector<NetworkCurve> curves_;
     std::size_t first_loop_ = 0;
     std::vector<CurvePlace> places_;
     std::vector<std::uint32_t> vertices_; ///< curve by curve, with the cuts of loops
     std::vector<std::uint32_t> edges_;    ///< curve by curve
-    std::vector<ShareEnd> ends_;          ///< of shares; before them where the first one begins
+    std::vector<ShareEnd> ends_; ///< ends of shares; the first entry is the begin of the first
     std::vector<std::uint32_t> junctions_;
-    std::vector<std::uint32_t> number_; ///< of the junction at a vertex, or no_id
-    std::vector<std::uint32_t> arms_;   ///< edges with a junction, or two
+    std::vector<std::uint32_t> number_; ///< index of the junction at a vertex, or no_id
+    std::vector<std::uint32_t> arms_;   ///< edges with one or two junctions
 };
 
 template <class Task>

@@ -14,9 +14,10 @@ namespace {
 /// Edges are taken to be at least this long, so that the matrix stays finite where two vertices of
 /// an intermediate stage coincide. Its square is still a normal number.
 constexpr double shortest_edge = 1e-150;
-/// The same in a step, relative to how far curvature reaches in it. The drag of a piece whose edges
-/// are so short is 1e-12 of their stiffness, and the piece collapses to its centre. A drag below
-/// the rounding error, 1e-16, would make the matrix singular, and stop all curves.
+/// The smallest length in a step, relative to the distance that curvature moves a curve in it. A
+/// piece whose edges are this short has a drag of 1e-12 of their stiffness, and collapses to its
+/// centre. A drag below the rounding error, 1e-16, would make the matrix singular, and stop all
+/// curves.
 constexpr double shortest_share = 1e-6;
 
 double length_of(const CurveEdge& edge, std::span<const Vector2> positions, double shortest) {
@@ -106,7 +107,7 @@ void CurveSystem::Drag::add(double more, const Vector2& outwards) {
     tangent = is_first ? outwards : tangent - outwards;
 }
 
-// Across the curve, but in all directions at the tip of a spike.
+// The drag acts across the curve, but in all directions at the tip of a spike.
 Freedom CurveSystem::Drag::across() const {
     if (size == 0) {
         return nowhere;

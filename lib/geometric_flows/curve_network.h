@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The interface as a network of straight edges under tension: what a step of curvature flow solves
-// for. Everything is in double precision.
+// The interface as a network of straight edges under tension, whose linear system a step of
+// curvature flow solves. Everything is in double precision.
 #pragma once
 
 #include "dsc/motion/interface_flow.h"
@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// What resists and what drives the motion of an interface edge.
+/// The forces that drive and resist the motion of an interface edge.
 struct EdgeForces {
     double tension = 1; ///< energy per length
     double drag = 1;    ///< 1 / mobility
@@ -26,13 +26,13 @@ struct CurveEdge {
     EdgeForces forces{};
 };
 
-/// In which directions a vertex can move: a symmetric projection.
+/// The directions in which a vertex can move, as a symmetric projection.
 struct Freedom {
     double xx = 1;
     double xy = 0;
     double yy = 1;
 
-    /// Whether it can move in all directions, as nearly always.
+    /// Whether the vertex can move in all directions, as nearly all can.
     [[nodiscard]] bool is_full() const { return xx == 1 && yy == 1; }
     [[nodiscard]] Vector2 of(const Vector2& p) const {
         return {xx * p.x + xy * p.y, xy * p.x + yy * p.y};
@@ -45,13 +45,13 @@ struct EndForce {
     Vector2 force; ///< energy per length
 };
 
-/// Indices are those of the view that it was made from.
+/// Indices are those of the view from which the network was made.
 struct CurveNetwork {
     std::vector<Vector2> positions;
     std::vector<CurveEdge> edges; ///< each edge once
     std::vector<Freedom> freedom;
     std::vector<std::uint8_t> is_junction;
-    std::vector<std::uint8_t> is_between; ///< whether it lies on a curve that ends at junctions
+    std::vector<std::uint8_t> is_between; ///< whether the edge is on a curve that ends at junctions
     std::vector<EndForce> ends;           ///< those that are not zero
 };
 
@@ -63,8 +63,8 @@ template <class Real, class ForcesOf, class WallEnergy>
 void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
                   const WallEnergy& wall_energy, CurveNetwork& network);
 
-/// In which directions the vertex can move: none if it is locked or a corner of the domain, and
-/// along the boundary if it lies there. O(star) on the boundary, else O(1).
+/// The directions in which the vertex can move: none if it is locked or at a corner of the domain,
+/// along the boundary if it lies there, otherwise all. O(star) on the boundary, else O(1).
 template <class Real>
 [[nodiscard]] Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i);
 
@@ -84,7 +84,7 @@ private:
     /// The drag of a vertex between two edges of a curve.
     struct Drag {
         double size = 0;
-        Vector2 tangent; ///< the sum of the two directions, one way or the other
+        Vector2 tangent; ///< the sum of the two directions, with either sign
 
         void add(double more, const Vector2& outwards);
         [[nodiscard]] Freedom across() const;
@@ -94,7 +94,7 @@ private:
 
     const CurveGraph* graph_ = nullptr;
     double fastest_ = 0;          ///< tension / drag at most, in area per time
-    std::vector<Freedom> own_;    ///< by vertex: what its edges add to its block
+    std::vector<Freedom> own_;    ///< by vertex: the contribution of its edges to its block
     std::vector<Drag> between_;   ///< by vertex
     std::vector<Block> diagonal_; ///< by vertex
     std::vector<Block> coupling_; ///< by edge
@@ -143,12 +143,13 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
                  v = is_along ? view.next[v] : view.previous[v]) {
                 network.is_between[v] = 1;
             }
-            // The other end of an edge between two junctions has it as well.
+            // An edge between two junctions is also listed at its other end.
             if (!view.is_junction(arm.neighbour) || arm.neighbour > i) {
                 add(i, arm.neighbour, arm.left, arm.right);
             }
         }
-        // The boundary beside the exterior phase has no arm: it lies opposite to the one there is.
+        // The boundary beside the exterior phase has no arm; its direction is opposite to that of
+        // the existing arm.
         pull -= wall_energy(exterior_phase) * along_boundary;
         if (pull != Vector2{}) {
             network.ends.push_back({i, pull});

@@ -12,21 +12,22 @@
 
 namespace dsc {
 
-/// How the pressures beside a curve act on it. The pressure on its left less that on its right,
-/// times the push of a vertex, is the force there; the displacement of a vertex, times the same
-/// push, is the area that the left gains and the right loses.
+/// How the pressures beside a curve act on it. The force at a vertex is its push times the
+/// difference of the pressures on the left and the right. The displacement of a vertex times the
+/// same push is the area that the left gains and the right loses.
 struct CurvePush {
-    int left = -1;     ///< place of that pressure, or -1 if there is none
+    int left = -1;     ///< index of that pressure, or -1 if there is none
     int right = -1;    ///< the same
     Vector2 at_from{}; ///< the push on its first anchor, unless the curve is a loop
     Vector2 at_to{};   ///< on its last one
 };
 
-/// Pressures that hold areas, as further unknowns: all that they push, and what they hold.
+/// Pressures that keep areas, as further unknowns: the vertices that they push, and the required
+/// areas.
 struct PressureRows {
     std::span<CurvePush> pushes;   ///< by curve
     std::span<Vector2> columns;    ///< the push by vertex, except at junctions
-    std::span<const double> gains; ///< by pressure: by how much its area is to grow
+    std::span<const double> gains; ///< by pressure: the required growth of its area
     std::span<double> pressures;   ///< by pressure: the solution
 };
 
@@ -34,7 +35,7 @@ struct PressureRows {
 /// with a border). It leaves a sparse system of the junctions, and of pressures where there are
 /// any. Without pivots: the matrix has to be symmetric and positive definite. One solver serves
 /// many networks, one after the other, and reuses its memory. Its result does not depend on
-/// threads: what curves leave at a junction is added up in one order, by the caller.
+/// threads: the caller adds the contributions of curves at a junction in a fixed order.
 ///
 /// To solve, eliminate and reduce each share, then factorise the junctions, then finish. `diagonal`
 /// has the block of each vertex, `coupling` that of each edge: rows of its first vertex, columns of
@@ -74,7 +75,7 @@ private:
         Block at_last{};
         Block across{};      ///< rows of the last one
         Block cut_inverse{}; ///< of a loop
-        double yielding = 0; ///< what the curve gains by itself for a unit of pressure
+        double yielding = 0; ///< the area that the curve alone gains for a unit of pressure
         double gained = 0;   ///< what it gains without pressure
     };
 
@@ -88,7 +89,7 @@ private:
     const CurveGraph* graph_ = nullptr;
     std::vector<Factor> factors_;  ///< by place
     std::vector<Remainder> rests_; ///< by curve
-    std::vector<Vector2> to_from_; ///< by place: what is subtracted from the column of `from`
+    std::vector<Vector2> to_from_; ///< by vertex: subtracted from the column of `from`
     std::vector<Block> left_;      ///< diagonal blocks of the junctions
     std::vector<double> yielding_; ///< of pressures
     std::vector<Eigen::Triplet<double>> entries_;

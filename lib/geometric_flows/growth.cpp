@@ -18,7 +18,8 @@ std::string pair_name(const GrowthSpeed& pair) {
     return std::to_string(pair.growing) + " into " + std::to_string(pair.into);
 }
 
-// A vertex between two rays of the same feature lies on a ray between them; any other is in no fan.
+// A new vertex between two rays of the same feature gets a ray between them; any other new vertex
+// belongs to no fan.
 template <class Real>
 FanRay<Real> ray_between(const FanRay<Real>& a, const FanRay<Real>& b, double /*fraction*/) {
     FanRay<Real> ray;
@@ -98,7 +99,8 @@ private:
         return end_tangent<Real>(view_.positions[beyond], before, at);
     }
 
-    // Where two sheets meet that move by `speed` along n and m: the intersection of their offsets.
+    // The velocity of the point where two sheets meet that move by `speed` along n and m: the
+    // intersection of their offsets.
     [[nodiscard]] Point<Real> of_notch(const Point<Real>& n, const Point<Real>& m,
                                        Real speed) const {
         const Point<Real> sum = n + m;
@@ -113,7 +115,7 @@ private:
     [[nodiscard]] Point<Real> of_feature(std::size_t i, Real speed) const {
         const Point<Real> in = tangent_to(i, view_.previous[i]);
         const Point<Real> out = -tangent_to(i, view_.next[i]);
-        // Sheets that move apart leave an arc between them, for which the pass makes a fan.
+        // Sheets that move apart open an arc between them, for which the pass makes a fan.
         return cross<Real>(in, out) * speed > 0 ? Point<Real>(speed * normal(view_, i))
                                                 : of_notch(right_of(in), right_of(out), speed);
     }

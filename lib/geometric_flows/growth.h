@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Growth and shrinkage along the normal by the principle of Huygens: the interface at a later time
-// is the envelope of circles about all of its points. A feature that is convex towards the side it
-// moves to opens into an arc; two sheets that run into each other keep meeting in a sharp notch.
+// is the envelope of circles about all of its points. A feature that is convex in the direction of
+// motion opens into an arc; two sheets that run into each other continue to meet in a sharp notch.
 //
-// Normals alone do neither: an arc starts from one point, and vertices inserted there later lie
-// beside it. So a pass (growth_features.h) puts a fan of vertices at the feature, each with its own
-// direction, and the flow moves each along its ray: a characteristic of the eikonal equation (J. A.
-// Sethian, "Curvature and the evolution of fronts", 1985).
+// Velocities along normals alone achieve neither: an arc starts from one point, and vertices
+// inserted there later do not lie on it. So a pass (growth_features.h) puts a fan of vertices at
+// the feature, each with its own direction, and the flow moves each along its ray: a characteristic
+// of the eikonal equation (J. A. Sethian, "Curvature and the evolution of fronts", 1985).
 #pragma once
 
 #include "dsc/motion/interface_flow.h"
@@ -15,7 +15,7 @@
 
 namespace dsc {
 
-/// How fast one phase grows into another: in units of length per time, negative where it shrinks.
+/// The speed at which one phase grows into another, in lengths per time; negative if it shrinks.
 struct GrowthSpeed {
     Phase growing = 1; ///< the phase that gains area where `speed` is positive
     Phase into = 0;    ///< the phase that loses it
@@ -26,7 +26,7 @@ struct GrowthSpeed {
 template <class Real>
 using GrowthFactor = std::function<Real(const Point<Real>& place, Real time)>;
 
-/// Speeds by pairs of phases, and how features are treated.
+/// Speeds by pairs of phases, and the treatment of features.
 template <class Real>
 struct GrowthOptions {
     std::vector<GrowthSpeed> speeds; ///< interfaces between other phases stay
@@ -57,7 +57,7 @@ template <class Real>
 enum class FanState : std::uint8_t {
     none,     ///< in no fan
     opening,  ///< moving from beside the feature to its ray
-    inserted, ///< new, between two vertices of a fan; not on the arc yet
+    inserted, ///< new between two vertices of a fan, not on the arc yet
     open,     ///< on its ray
     closing,  ///< moving to where the sheets will meet again
 };
@@ -68,7 +68,7 @@ struct FanRay {
     Point<Real> source = Point<Real>::Zero(); ///< the feature
     /// Unit vector from the left phase to the right; `closing`: the velocity.
     Point<Real> direction = Point<Real>::Zero();
-    float start = 0;    ///< how far along its ray the vertex was when the feature opened
+    float start = 0;    ///< distance of the vertex along its ray when the feature opened
     float to_first = 0; ///< angle from its ray to the first one along the curve, in radians
     float to_last = 0;  ///< to the last one
     FanState state = FanState::none; ///< the stage of its movement
@@ -80,7 +80,7 @@ void archive(Archive& archive, FanRay<Real>& ray) {
     archive.choice(ray.state, 5);
 }
 
-/// Whether both start from one feature.
+/// Whether both rays start from one feature.
 template <class Real>
 [[nodiscard]] bool belong_together(const FanRay<Real>& a, const FanRay<Real>& b) {
     return a.state != FanState::none && b.state != FanState::none && a.source == b.source;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A growing interface as seen from one of its vertices: how it turns there, and which way it moves.
+// A growing interface seen from one of its vertices: its turn, and the direction in which it moves.
 #pragma once
 
 #include "dsc/complex/gather.h"
@@ -60,7 +60,7 @@ template <class Real>
             sine * direction.x() + cosine * direction.y()};
 }
 
-/// How far the vertex of a ray has moved along it: positive where the left phase has grown.
+/// The distance that the vertex of a ray has moved along it: positive if the left phase has grown.
 template <class Real>
 [[nodiscard]] Real along(const FanRay<Real>& ray, const Point<Real>& at) {
     const Real reached = (at - ray.source).dot(ray.direction);

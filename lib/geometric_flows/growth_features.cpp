@@ -22,11 +22,11 @@ namespace dsc {
 namespace {
 
 // In edge lengths.
-constexpr double beside = 0.05; // between the vertices of a fan at the start
+constexpr double beside = 0.05; // distance of the vertices of a fan at the start
 constexpr double roomy = 0.25;  // the radius at which they move to their rays
 constexpr double grown = 1.5;   // the radius from which on a fan may dissolve
-constexpr double margin = 0.1;  // of a notch's way, to what it is about to run over
-constexpr double bulge = 0.2;   // the most that the curve may move where that vertex is removed
+constexpr double margin = 0.1;  // fraction of a notch's way within which vertices are removed
+constexpr double bulge = 0.2;   // largest change of the curve if that vertex is removed
 constexpr double stray = 1e-3;  // a vertex farther from its ray than this leaves the fan
 constexpr std::uint32_t max_members = 32;
 
@@ -95,7 +95,7 @@ private:
 
     // --- notches ------------------------------------------------------------------------------
     [[nodiscard]] bool is_feature(std::uint32_t v) const { return complex_.is_feature(Vertex{v}); }
-    // A vertex of another submesh may become a feature at this moment.
+    // Read without tearing: a vertex of another submesh may become a feature at this moment.
     [[nodiscard]] bool may_be_feature(std::uint32_t v) const {
         return !owns(complex_, work_.submesh.region, v) || is_feature(v);
     }
@@ -108,12 +108,13 @@ private:
         }
     }
 
-    // How far a vertex moves in this sub-step along its normal.
+    // The distance that a vertex moves along its normal in this sub-step.
     [[nodiscard]] Real way(Real speed) const {
         return std::min(std::abs(speed) * work_.dt, lengths(work_.options.sub_step));
     }
 
-    // How far a notch moves along its sheets in this sub-step, whose largest move limits it.
+    // The distance that a notch moves along its sheets in this sub-step, limited by the largest
+    // move.
     [[nodiscard]] Real reach(const GrowthBend<Real>& notch) const {
         const Real half = std::abs(notch.turn) / 2;
         const Real most = lengths(work_.options.sub_step) * std::cos(half);
@@ -121,7 +122,7 @@ private:
     }
 
     // Whether the vertex blocked a notch at the end of one of its edges and has been removed. Also
-    // true if only another submesh can tell.
+    // true if only another submesh can decide this.
     bool is_run_over(const Star<Real>& star, const GrowthBend<Real>& bend,
                      std::uint32_t incident_edge, std::uint32_t other) {
         const std::uint32_t u = star.link[incident_edge];
@@ -151,7 +152,7 @@ private:
         return collapse_into(star, incident_edge) || collapse_into(star, other);
     }
 
-    // The centre vanishes into the other end of an incident edge, if that is legal.
+    // Collapses the centre into the other end of an incident edge, if that is legal.
     bool collapse_into(const Star<Real>& star, std::uint32_t incident_edge) {
         return edge_collapse(work_.submesh, prev(star.corner[incident_edge]),
                              rewire::Vanishing::next) == Verdict::legal;
@@ -281,7 +282,7 @@ private:
             return;
         }
         const Real aside = std::abs(cross<Real>(ray.direction, bend.at - ray.source));
-        // Where the speed depends on the place, rays bend.
+        // If the speed depends on the position, rays bend.
         const auto differs = [&](const FanRay<Real>& other, const Point<Real>& at) {
             return belong_together(ray, other) && other.state == FanState::open &&
                    std::abs(along(other, at) - radius) > lengths(stray);

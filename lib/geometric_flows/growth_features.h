@@ -11,9 +11,9 @@ namespace dsc {
 /// A pass of remeshing, to run after that of the interface. At a feature that opens it puts a fan
 /// of vertices: beside the feature at first, on their rays as soon as there is room. It puts
 /// vertices that remeshing inserts between two of them on the arc. It marks notches as features,
-/// and removes vertices that a notch is about to run over. If the flow has turned round and a fan
-/// has shrunk to less than a sub-step, the fan becomes a notch again. O(interface vertices).
-/// Expects `add_fan_rays`.
+/// and removes vertices in the way of a notch. If the flow has reversed and a fan has shrunk to
+/// less than a sub-step, the fan becomes a notch again. O(interface vertices). Expects
+/// `add_fan_rays`.
 template <class Real>
 [[nodiscard]] Pass<Real> growth_features(const GrowthOptions<Real>& options);
 

@@ -9,7 +9,7 @@ namespace dsc {
 
 namespace {
 
-/// The place of the phase in the list, which is sorted by phase, or -1.
+/// The index of the phase in the list, which is sorted by phase, or -1.
 int place_in(std::span<const KeptArea> kept, Phase phase) {
     const auto found = std::ranges::lower_bound(kept, phase, {}, &KeptArea::phase);
     return found == kept.end() || found->phase != phase ? -1
@@ -37,7 +37,7 @@ std::array<Phase, 2> phases_beside(const CurveGraph& graph, const NetworkCurve& 
 }
 
 /// The phases whose areas can be kept. The area of a phase that is absent or locked cannot change;
-/// where all phases are kept, the last area follows from the others.
+/// if all phases are kept, the last area follows from the others.
 std::vector<KeptArea> changeable(const CurveGraph& graph, std::span<const KeptArea> kept) {
     const CurveNetwork& network = graph.network();
     const auto can_move = [&](std::uint32_t i) {
@@ -156,8 +156,9 @@ void AreaKeeper::push(std::size_t curve, std::span<const Vector2> places, bool w
     strands_[curve] = strand;
 }
 
-// Relative to the initial position of a vertex, so that an offset of all coordinates costs no
-// digits. Its present position would not do: another thread may be moving it.
+// Coordinates are relative to the initial position of a vertex, so that an offset of all
+// coordinates costs no digits. The vertex's current position cannot be used, because another thread
+// may be moving it.
 double AreaKeeper::area_of(std::size_t curve, std::span<const Vector2> places) const {
     double doubled = 0;
     for_each_edge(*graph_, graph_->curves()[curve],
@@ -210,7 +211,7 @@ bool AreaKeeper::look(std::span<const Vector2> positions, std::span<const Vector
     });
     find_missing();
     constexpr double rounding = 1e-6;
-    pressures_.assign(kept_.size(), 0.0); // first as scratch: bounds on the missing areas
+    pressures_.assign(kept_.size(), 0.0); // first used as scratch: bounds on the missing areas
     for (std::size_t c = 0; c < strands_.size(); ++c) {
         for (const int place : {pushes_[c].left, pushes_[c].right}) {
             if (place >= 0) {

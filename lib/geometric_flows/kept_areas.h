@@ -23,9 +23,9 @@ public:
     /// The rows of the pressures for a step from these positions; empty if no area is to be kept.
     /// O(edges).
     PressureRows rows(std::span<const Vector2> positions, const InShares& in_shares);
-    /// Measures the areas after displacements. Returns whether pressures have held them to first
-    /// order, so that the errors are of second order in the displacements; they do not if areas
-    /// contradict each other. O(edges).
+    /// Measures the areas after displacements. Returns whether pressures have kept the areas to
+    /// first order, so that the errors are of second order in the displacements; this fails if
+    /// areas contradict each other. O(edges).
     bool look(std::span<const Vector2> positions, std::span<const Vector2> displacements,
               const InShares& in_shares);
     /// Corrects the displacements measured last so that each phase has its area up to rounding. The
@@ -43,9 +43,9 @@ private:
     };
     /// Data of a curve.
     struct Strand {
-        double area = 0;         ///< that it adds on its left, and takes on its right
-        double second = 0;       ///< at most, of what displacements added of second order
-        double yielding = 0;     ///< what it gains for a unit of pressure, without tension
+        double area = 0;         ///< area that it adds on its left and takes on its right
+        double second = 0;       ///< bound of the area of second order in the displacements
+        double yielding = 0;     ///< area gained for a unit of pressure, without tension
         double half_at_from = 0; ///< of the drag of its first edge
         double half_at_to = 0;   ///< of its last one
     };
@@ -61,7 +61,7 @@ private:
 
     const CurveGraph* graph_ = nullptr;
     Vector2 origin_{};              ///< from which areas are measured
-    std::vector<KeptArea> kept_;    ///< those that can be kept, by phase
+    std::vector<KeptArea> kept_;    ///< areas that can be kept, by phase
     std::vector<Arm> arms_;         ///< sorted
     std::vector<CurvePush> pushes_; ///< by curve
     std::vector<Strand> strands_;   ///< by curve
@@ -71,7 +71,7 @@ private:
     std::vector<double> missing_;   ///< what each area lacks
     std::vector<double> pressures_;
     std::vector<Eigen::Triplet<double>> entries_;
-    SparseSolver solver_; ///< from areas to pressures, without tension
+    SparseSolver solver_; ///< maps areas to pressures, without tension
 };
 
 } // namespace dsc
