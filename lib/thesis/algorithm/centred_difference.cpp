@@ -20,7 +20,8 @@ VertexAttribute<Past<Real>>& known_past(Complex<Real>& complex) {
     return complex.attributes.template get<Vertex, Past<Real>>(name_of_past);
 }
 
-/// Whether a step is shorter than `longest_at_rest` of each edge at its vertex. O(star).
+/// Whether a step is shorter than the fraction `longest_at_rest` of each edge at its vertex.
+/// O(star).
 template <class Real>
 bool is_nearly_at_rest(const Complex<Real>& complex, Vertex v, const Point<Real>& way) {
     const Point<Real> here = complex.position(v);

@@ -15,26 +15,27 @@ namespace dsc {
 /// digits of it are lost by then.
 inline constexpr double max_growth = 10;
 
-/// Where the velocity turns by more than 60 degrees from one step to the next, it counts as a jump,
-/// as at the tip where two growing discs have met: a step that builds on the last one goes to the
-/// other side of the tip there, and the next one back. It does not count if the last step was
-/// shorter than this share of each edge at the vertex: a flow that turns back comes to rest in
-/// between, and without its past the centred difference would lose its symmetry in time there.
+/// A turn of the velocity by more than 60 degrees from one step to the next counts as a jump, as at
+/// the tip where two growing discs have met: there a step based on the last one would lead to the
+/// other side of the tip, and the next step back. Such a turn is no jump if the last step was
+/// shorter than this fraction of each edge at the vertex: a flow that reverses comes to rest in
+/// between, and without its past the centred difference would lose its symmetry in time.
 inline constexpr double longest_at_rest = 0.1;
 
 /// The last step of a vertex.
 template <class Real>
 struct Past {
     Point<Real> way = Point<Real>::Zero(); ///< to its last target
-    Real dt = 0;                           ///< the duration of that step; 0: it has no past yet
-    /// At least the duration of that step divided by the shortest since the vertex had no past.
+    Real dt = 0; ///< the duration of that step; 0: the vertex has no past yet
+    /// An upper bound of the ratio of that step's duration to the shortest since the vertex had no
+    /// past.
     Real growth = 1;
 
     /// `growth` at the end of a step of this length.
     [[nodiscard]] Real growth_after(Real next_dt) const {
         return std::max(growth * (next_dt / dt), Real(1));
     }
-    /// Whether a next step of this duration may build on this one.
+    /// Whether the next step, of this duration, may use this one.
     [[nodiscard]] bool serves(Real next_dt) const {
         return dt > 0 && growth_after(next_dt) <= static_cast<Real>(max_growth);
     }

@@ -138,7 +138,7 @@ Algorithm<Real> thesis_algorithm(const Options<Real>& options, const ThesisThres
          .select = below<Edge>(0.5),
          .operation =
              [](Work<Real>& work, Edge e) {
-                 // An earlier flip may have repaired it.
+                 // An earlier flip may have repaired the edge.
                  if (is_border(work.complex.twin(e.id)) || is_delaunay(work.complex, e.id)) {
                      return Verdict::no_gain;
                  }

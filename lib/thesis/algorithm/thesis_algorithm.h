@@ -20,7 +20,7 @@ struct MeshUpdateLine {
     std::string name;                                             ///< of the pass
     std::function<double(const Complex<Real>&, Simplex)> quality; ///< small values are bad
     SelectionStrategy<Simplex> select; ///< chooses among the candidates, and orders them
-    /// Its verdict says whether anything changed.
+    /// Applies the operation; its verdict says whether anything changed.
     std::function<Verdict(Work<Real>&, Simplex)> operation;
 };
 
@@ -28,8 +28,8 @@ struct MeshUpdateLine {
 template <class Real, class Simplex>
 Pass<Real> mesh_update_pass(MeshUpdateLine<Real, Simplex> line);
 
-/// When the lines of algorithm 5.1 act. Areas are relative to that of an equilateral triangle of
-/// the target edge length, qualities are those of equation 4.
+/// The thresholds at which the lines of algorithm 5.1 act. Areas are relative to that of an
+/// equilateral triangle of the target edge length, qualities are those of equation 4.
 struct ThesisThresholds {
     double small_area = 0.25;      ///< below: LocalRetriangulation
     double large_area = 2.5;       ///< above: LoopSubdivision

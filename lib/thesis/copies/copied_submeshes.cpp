@@ -52,7 +52,7 @@ void find_cuts(std::size_t triangles, const CountingDivision& division,
     cuts.push_back(triangles);
 }
 
-// Sorts only as far as the cuts first to last - 1 need it: each element ends up in its share.
+// Sorts only as far as needed for the cuts first to last - 1: each element ends in its share.
 template <class Key>
 void sort_into_shares(std::vector<Key>& keys, const std::vector<std::size_t>& cuts,
                       std::size_t first, std::size_t last) {

@@ -37,8 +37,8 @@ struct CopiedSubmesh {
     std::vector<std::uint32_t> merged;
     std::vector<std::uint32_t> merged_triangles; ///< the same for triangles
 
-    /// What operations may change: simplices without vertices on the submesh boundary (thesis,
-    /// section 6.4). Invalid once vertices are added, as by `lend_ids`.
+    /// The part that operations may change: simplices without vertices on the submesh boundary
+    /// (thesis, section 6.4). Invalid once vertices are added, as by `lend_ids`.
     [[nodiscard]] Region region() const {
         Region region;
         region.kind = Region::Kind::labels;
@@ -84,7 +84,7 @@ struct CopiedSubmeshes {
         Corner corner;      ///< in the merged mesh
     };
     std::vector<Key> keys;                     ///< of all triangles
-    std::vector<std::size_t> cuts;             ///< into `keys`: where each share begins
+    std::vector<std::size_t> cuts;             ///< begins of the shares in `keys`
     std::vector<std::size_t> begins;           ///< into `by_submesh`, by submesh
     std::vector<std::uint32_t> local_triangle; ///< by triangle of the mesh: its id in its submesh
     std::vector<std::uint32_t> by_submesh;     ///< triangles of the mesh, submesh by submesh

@@ -19,7 +19,7 @@ namespace dsc {
 namespace {
 
 /// Free ids of a submesh, in addition to two for each of its interface vertices: a sub-step of at
-/// most one edge length creates about one vertex for each. What does not fit is deferred, never
+/// most one edge length creates about one vertex for each. Edits that need more are deferred, never
 /// lost.
 constexpr std::size_t spare_ids = 256;
 
@@ -139,7 +139,7 @@ void CopyExecutor<Real>::distribute_work() {
         Task& task = *tasks_[i];
         task.given = task.work.interface;
         lend_ids(*submeshes_.list[i], spare_ids + 2 * task.given.size());
-        // One submesh is the whole mesh: there are no others that could move first.
+        // A single submesh is the whole mesh, so there are no others that could move first.
         task.work.submesh.region = tasks_.size() > 1 ? submeshes_.list[i]->region() : Region{};
     }
 }

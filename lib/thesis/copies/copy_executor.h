@@ -25,14 +25,14 @@ struct CopyOptions {
     double normal_y = 0;
 };
 
-/// Where the time went, since the beginning, in seconds of the calling thread.
+/// The seconds of the calling thread since the beginning, by part.
 struct CopyCosts {
     double create_s = 0;      ///< CreateSubmeshes, and distributing the work
     double run_s = 0;         ///< the submeshes, in parallel
     double merge_s = 0;       ///< MergeSubmeshes, and collecting what was deferred
     double whole_s = 0;       ///< the run on the whole complex for what both colours deferred
     std::uint64_t steps = 0;  ///< that have been run
-    std::uint64_t rounds = 0; ///< how often the mesh was divided and merged
+    std::uint64_t rounds = 0; ///< number of divisions and merges
 };
 
 /// Runs the remeshing on the whole complex; the motion passes on red submeshes, then on black ones
@@ -71,7 +71,7 @@ private:
     struct Task {
         Task(Complex<Real>& complex, const Options<Real>& options) : work(complex, options) {}
         Work<Real> work;
-        std::vector<std::uint32_t> given; ///< `work.interface` as it was distributed
+        std::vector<std::uint32_t> given; ///< `work.interface` when it was distributed
         std::exception_ptr failure;
         std::uint32_t passes = 0;
     };

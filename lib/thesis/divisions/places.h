@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Submeshes by a function of the place: one of the application, or Voronoi regions (thesis, section
-// 6). The function divides the plane, not the vertices, so that it stays valid while vertices are
-// created, deleted and moved.
+// Submeshes by a function of the position: one of the application, or Voronoi regions (thesis,
+// section 6). The function divides the plane, not the vertices, so that it stays valid while
+// vertices are created, deleted and moved.
 #pragma once
 
 #include "dsc/parallel/partition/partition.h"
@@ -12,11 +12,11 @@
 
 namespace dsc {
 
-/// One colour: `number_of(x, y)` is below `submeshes`, always the same for the same place, and safe
+/// One colour: `number_of(x, y)` is below `submeshes`, always the same for the same point, and safe
 /// to call from several threads. Two submeshes of one colour may touch; a colour's boundaries
 /// should lie away from those of the colours before it.
 struct PlaceColour {
-    /// The number of the submesh that holds a place.
+    /// The number of the submesh that contains a point.
     std::function<std::uint32_t(double x, double y)> number_of;
     std::uint32_t submeshes = 1; ///< how many there are
 };

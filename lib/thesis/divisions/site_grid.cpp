@@ -12,8 +12,8 @@ namespace {
 
 constexpr double infinitely_far = std::numeric_limits<double>::infinity();
 
-/// Places in the grid are accurate to a few units of rounding of their own size, and so are squared
-/// distances; a margin of a thousand times that costs nothing.
+/// Positions in the grid, and squared distances, are accurate to a few units of rounding of their
+/// own size; a margin of a thousand times that costs nothing.
 constexpr double rounding = 1e-12;
 
 /// This many sites are searched faster than a cell is found.
@@ -44,7 +44,8 @@ SiteGrid::SiteGrid(std::vector<Point<double>> sites) : sites_(std::move(sites)) 
         columns_ = static_cast<std::int64_t>(extent.x() / width) + 1;
         rows_ = static_cast<std::int64_t>(extent.y() / width) + 1;
     }
-    // Counted first, then filled in: within a cell, in the order of the numbers.
+    // Sites are counted first, then filled in; within a cell they are in the order of their
+    // numbers.
     first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
     for (const auto& site : sites_) {
         if (is_finite(site)) {

@@ -57,7 +57,7 @@ std::vector<Point<double>> hull_corners(const Complex<Real>& complex) {
     return hull;
 }
 
-// Inner cuts with the outer ones, which are infinite.
+// Adds the outer cuts, which are infinite, to the inner ones.
 std::vector<double> closed(const std::vector<double>& inner) {
     std::vector<double> cuts{-Region::infinity};
     cuts.insert(cuts.end(), inner.begin(), inner.end());
@@ -104,7 +104,7 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
     for (const auto& [place, weight] : positions) {
         total += static_cast<double>(weight);
     }
-    // Fewer slabs rather than thin ones; both colours have the same number.
+    // Fewer slabs are made rather than thin ones; both colours have the same number.
     const double low = positions.front().first;
     const double high = positions.back().first;
     for (std::uint32_t n = slabs; n > 1; --n) {
@@ -141,7 +141,7 @@ Colour slab_colour(std::span<const double> cuts, double normal_x, double normal_
     region.kind = Region::Kind::box;
     region.normal_x = normal_x;
     region.normal_y = normal_y;
-    // Two slabs that form one submesh would be the whole mesh: no gain.
+    // If the two end slabs that form one submesh are the whole mesh, there is no gain.
     const bool joins = round && count > 2;
     for (std::size_t i = 0; i < (joins ? count - 1 : count); ++i) {
         region.low = joins && i == 0 ? cuts[count - 1] : cuts[i];
@@ -226,7 +226,8 @@ template <class Real>
 void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
                                    Partition& partition) {
     const double radians = options_.degrees * std::numbers::pi / 180;
-    // Exact axes: the cosine of a right angle is not zero in floating point.
+    // Multiples of 90 degrees give exact axes, because the cosine of a right angle is not zero in
+    // floating point.
     const bool upright = options_.degrees == 90;
     const Point<double> normal =
         options_.follow_shape

@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// How the cuts between slabs are chosen.
+/// The measure by which the cuts between slabs are chosen.
 enum class Slabbing : std::uint8_t {
     fixed,    ///< equal widths (thesis, section 6.3)
     counting, ///< equal numbers of triangles (the same section), sampled in a large mesh
@@ -23,7 +23,7 @@ enum class Slabbing : std::uint8_t {
 /// How slabs are cut.
 struct SlabOptions {
     Slabbing slabbing = Slabbing::counting; ///< how the cuts are chosen
-    std::uint32_t submeshes = 8; ///< how many red slabs; independent of the number of threads
+    std::uint32_t submeshes = 8; ///< number of red slabs; independent of the number of threads
     /// The slabs are cut across this direction, in degrees from the x axis; follow_shape: across
     /// the direction in which the interface extends farthest.
     double degrees = 0;

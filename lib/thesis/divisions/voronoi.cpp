@@ -53,7 +53,7 @@ std::vector<PlaceColour> voronoi_colours(const PartitionInput<Real>& input, std:
         sites.push_back(points[i * points.size() / submeshes]);
     }
     even_out(sites, points, rounds);
-    // Where the interface passes from one region to the next, the second colour has a site.
+    // The second colour has a site wherever the interface passes from one region to the next.
     std::vector<Point<double>> between;
     const SiteGrid grid(sites);
     std::uint32_t before = grid.nearest(points.back().x(), points.back().y());

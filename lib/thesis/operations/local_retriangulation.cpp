@@ -25,7 +25,7 @@ struct PolygonEdge {
     Corner across; // opposite to it on the other side: holds its data otherwise
 };
 
-// What the guard finds and the operation carries out.
+// The plan of a retriangulation, which the guard makes and the operation carries out.
 template <class Real>
 struct RetriangulationPlan {
     std::array<std::uint32_t, 3> vertex{}; // of the given triangle
@@ -171,7 +171,7 @@ void move_edge_data(Complex<Real>& complex, std::vector<std::array<Corner, 2>>& 
     attributes.reset_edge(spare);
 }
 
-// Writes the ears over the first triangles of the region.
+// Writes the ears into the records of the region's first triangles.
 template <class Real>
 void write_triangles(Complex<Real>& complex, RetriangulationPlan<Real>& plan) {
     const std::uint32_t given = plan.region.front();

@@ -13,7 +13,7 @@
 
 namespace dsc {
 
-/// How a polygon is cut into triangles.
+/// The method by which a polygon is cut into triangles.
 enum class RetriangulationMethod : std::uint8_t {
     ear_clipping, ///< the thesis's method; may leave slivers
     /// Ear clipping, then flips until it is the constrained Delaunay triangulation (C. L. Lawson,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replay of a log with operations of this module in it: `replay<double>(complex, edits,
+// Replay of a log that contains operations of this module: `replay<double>(complex, edits,
 // repeat_edit<double>)`.
 #pragma once
 

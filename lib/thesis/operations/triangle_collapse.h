@@ -11,19 +11,19 @@
 
 namespace dsc {
 
-/// What a triangle collapse may do to the interface.
+/// The changes of the interface that a triangle collapse may make.
 enum class InterfaceRule : std::uint8_t {
     keep,   ///< at most one of the three vertices is on the interface, and it stays where it is
-    change, ///< phases may meet, part or vanish: this removes small triangles between two sheets
+    change, ///< phases may meet, split or vanish; removes small triangles between two sheets
 };
 
-/// Where a triangle collapses to, and what this may change.
+/// The position of the collapsed triangle, and the allowed changes.
 template <class Real>
 struct TriangleCollapseOptions {
-    /// Where the three vertices become one, in units of the domain. By default the place of the
-    /// vertex that may not move: on the domain boundary, on an interface that is kept, or locked.
-    /// Without such a vertex, the place of the only one on the interface, or of the only feature;
-    /// otherwise the centroid.
+    /// The position of the resulting vertex, in units of the domain. By default that of the vertex
+    /// that may not move: on the domain boundary, on an interface that is kept, or locked. Without
+    /// such a vertex, the place of the only one on the interface, or of the only feature; otherwise
+    /// the centroid.
     std::optional<Point<Real>> place = {};
     InterfaceRule interface = InterfaceRule::keep; ///< whether phases may change
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The simplex relations and operations of thesis section 3.1 (after Misztal & Baerentzen):
-// boundary, full boundary, star, closure, link; skeleton and filter live with the sets. They are
-// the readable way to query a complex; the mesh operations navigate by corners instead, because
-// allocating the arrays would be too slow for them.
+// boundary, full boundary, star, closure, link; skeleton and filter live with the sets. These
+// functions are the readable way to query a complex; the mesh operations navigate by corners
+// instead, because allocating arrays would be too slow for them.
 //
 // For a simplex that is not in the complex the answer is the empty set. Complexities: d is the
 // degree of the vertex (or the sum of the degrees), k the number of simplices collected for a set.

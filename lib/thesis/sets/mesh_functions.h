@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh functions of thesis section 4.1 that the core does without: it has `is_boundary` and
+// The mesh functions of thesis section 4.1 that the core does not have; it has `is_boundary` and
 // `is_interface` (dsc/queries/phases.h). Handles must be alive, except for `is_valid_simplex`.
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace dsc {
 
-/// +1 counter-clockwise, -1 clockwise, 0 degenerate; exact. Every triangle of a valid complex has
-/// +1.
+/// +1 counter-clockwise, -1 clockwise, 0 degenerate; exact. The orientation of a triangle: +1 for
+/// every triangle of a valid complex.
 template <class Real>
 [[nodiscard]] int orientation(const Complex<Real>& complex, Triangle t);
 
@@ -23,7 +23,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool is_valid_simplex(const Complex<Real>& complex, Triangle t);
 
-/// The phase of a triangle. Edges and vertices have none of their own.
+/// The phase of a triangle. Edges and vertices have no orientation of their own.
 template <class Real>
 [[nodiscard]] Phase phase(const Complex<Real>& complex, Triangle t);
 
