@@ -16,7 +16,7 @@ Point<double> point_on(const Arc& arc, double angle) {
     return arc.centre + arc.radius * Point<double>(std::cos(angle), std::sin(angle));
 }
 
-/// The arc's part of the area: half the integral of x dy - y dx.
+/// The arc's contribution to the area: half the integral of x dy - y dx.
 double area_of(const Arc& arc) {
     return arc.radius / 2 *
            (arc.radius * (arc.end - arc.begin) +

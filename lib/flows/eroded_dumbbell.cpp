@@ -30,11 +30,11 @@ ExactShape eroded_dumbbell(const Dumbbell& d, double depth) {
     std::vector<Arc> right{{below, rounding, pi / 2 - tip, angle},
                            {disc, radius, angle - pi, pi - angle},
                            {above, rounding, -angle, tip - pi / 2}};
-    std::vector<Arc> left; // the same, turned by half a circle
+    std::vector<Arc> left; // the same curve, rotated by 180 degrees
     for (const Arc& arc : right) {
         left.push_back({-arc.centre, arc.radius, arc.begin + pi, arc.end + pi});
     }
-    if (is_whole) { // one curve: the neck is two straight sides
+    if (is_whole) { // one curve, with a neck of two straight sides
         right.insert(right.end(), left.begin(), left.end());
         append_arcs({.origin = d.centre}, right, shape);
     } else {

@@ -16,12 +16,13 @@ namespace dsc::scenes {
 
 namespace {
 
-constexpr int parts = 4; // of each side of a triangle, within which fronts are taken as straight
+constexpr int parts = 4; // parts of each side of a triangle, within which fronts count as straight
 
 using Corners = std::array<Point<double>, 3>;
 
-// How much earlier than a triangle's own phase another has reached a place: positive where the
-// place is wrong. A piecewise smooth function whose slope is at most 2.
+// The time by which another phase has reached a point earlier than the triangle's own phase;
+// positive where the triangle's phase is wrong. A piecewise smooth function whose slope is at most
+// 2.
 double earlier(const GrowingDiscs& discs, double time, Phase phase, const Point<double>& p) {
     double own = phase == exterior_phase ? time : discs.arrival(phase - 1U, p);
     double first = phase == exterior_phase ? std::numeric_limits<double>::infinity() : time;
@@ -84,7 +85,7 @@ double wrong_area(const GrowingDiscs& discs, double time, Phase phase, const Cor
     return sum;
 }
 
-// Of each vertex of a seam or junction of the discs alone.
+// The errors at each vertex of a seam or junction between discs.
 template <class Real>
 void measure_seams(const GrowingDiscs& discs,
                    const std::map<std::uint32_t, std::set<Phase>>& phases_at,
@@ -107,7 +108,7 @@ void measure_seams(const GrowingDiscs& discs,
             ++error.triples;
             continue;
         }
-        constexpr double min_slope = 0.2; // behind a disc its bisector is far from straight
+        constexpr double min_slope = 0.2; // behind a disc, its bisector is far from straight
         const auto towards = [&](Phase phase) -> Point<double> {
             return (p - discs.centres[phase - 1U]).normalized();
         };
@@ -120,7 +121,7 @@ void measure_seams(const GrowingDiscs& discs,
     error.seam_rms = vertices > 0 ? std::sqrt(sum / vertices) : 0;
 }
 
-// When the first front is there.
+// The time at which the first front arrives.
 double first_arrival(const GrowingDiscs& discs, const Point<double>& p) {
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < discs.radii.size(); ++i) {
@@ -129,8 +130,8 @@ double first_arrival(const GrowingDiscs& discs, const Point<double>& p) {
     return first;
 }
 
-// How far the cell of a disc reaches from its centre in a direction. The fronts of two discs that
-// grow at one speed meet on a hyperbola about their centres.
+// The extent of a disc's cell from its centre in a direction. The fronts of two discs that grow at
+// one speed meet on a hyperbola about their centres.
 double reach(const GrowingDiscs& discs, std::size_t i, const Point<double>& towards, double time) {
     double least = discs.radii[i] + std::max(0.0, time - discs.start(i));
     const Point<double>& centre = discs.centres[i];
@@ -183,7 +184,7 @@ GrowingDiscs random_discs(int number, std::uint64_t seed) {
 
 GrowingDiscs nucleating_discs(int number, std::uint64_t seed, double rate) {
     constexpr double radius = 0.04; // of a disc that waits
-    constexpr double room = 0.1;    // in time, until a front is there
+    constexpr double room = 0.1;    // distance, in time, to the next front
     constexpr double latest = 1.5;
     GrowingDiscs discs = random_discs(number, seed);
     discs.starts.assign(discs.radii.size(), 0);
@@ -248,7 +249,7 @@ DiagramError diagram_error(const Complex<Real>& complex, const GrowingDiscs& dis
             phases_at[vertices[i].id].insert(complex.phase(t));
         }
         const double wrong = wrong_area(discs, time, complex.phase(t), c);
-        if (wrong > 0) { // given to the phase to which the middle belongs, of all but its own
+        if (wrong > 0) { // given to the phase, other than its own, to which the centroid belongs
             const Point<double> middle = (c[0] + c[1] + c[2]) / 3;
             std::size_t to = 0;
             double first =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Discs of as many phases that grow at a speed of 1 until they fill the unit square (W. A. Johnson
-// and R. F. Mehl, 1939). Each place belongs to the disc that reaches it first, which is the
-// additively weighted Voronoi diagram: the exact answer to where fronts meet.
+// Discs, each of a phase of its own, that grow at a speed of 1 until they fill the unit square (W.
+// A. Johnson and R. F. Mehl, 1939). Each point belongs to the disc that reaches it first, which
+// gives the additively weighted Voronoi diagram: the exact positions where fronts meet.
 #pragma once
 
 #include "dsc/complex/complex.h"
@@ -16,33 +16,34 @@ namespace dsc::scenes {
 struct GrowingDiscs {
     std::vector<Point<double>> centres;
     std::vector<double> radii;  ///< at the start
-    std::vector<double> starts; ///< the times from which they grow; empty: from 0
+    std::vector<double> starts; ///< times at which the discs start to grow; empty: 0
 
     [[nodiscard]] double start(std::size_t i) const { return starts.empty() ? 0 : starts[i]; }
 
-    /// When the front of disc i reaches a place.
+    /// The time at which the front of disc i reaches a point.
     [[nodiscard]] double arrival(std::size_t i, const Point<double>& p) const {
         return start(i) + (p - centres[i]).norm() - radii[i];
     }
 };
 
-/// At random places, drawn from a seed, none near another or the sides. Seed 0: two or three discs
-/// at places of their own.
+/// Discs at random positions, drawn from a seed, with distances from each other and from the sides.
+/// Seed 0: two or three discs at fixed positions.
 [[nodiscard]] GrowingDiscs random_discs(int number, std::uint64_t seed);
 
-/// The same, and others that nucleate where no front is or soon will be: so many per unit of area
-/// and time. They are in the mesh from the start, and begin to grow when they are as large as that.
+/// The same, with additional discs that nucleate at a rate per unit of area and time, at positions
+/// that no front reaches soon. They are in the mesh from the start, and begin to grow once a disc
+/// growing from a point would have their size.
 [[nodiscard]] GrowingDiscs nucleating_discs(int number, std::uint64_t seed, double rate);
 
-/// When the square is full, to within 0.002.
+/// The time at which the square is full, to within 0.002.
 [[nodiscard]] double filling_time(const GrowingDiscs& discs);
 
-/// What disc i has filled at a time.
+/// The region that disc i has filled at a time.
 [[nodiscard]] ExactShape exact_cell(const GrowingDiscs& discs, std::size_t i, double time);
 
-/// How far a complex is from the exact one.
+/// The errors of a complex relative to the exact diagram.
 struct DiagramError {
-    double wrong_area = 0;  ///< of the triangles' parts that belong to another phase
+    double wrong_area = 0;  ///< area of the parts of triangles that belong to another phase
     double phase_error = 0; ///< largest error of the area of a disc
     double seam_max = 0;    ///< largest distance from a seam's vertex to its bisector...
     double seam_rms = 0;    ///< ...and the root of the mean square

@@ -15,7 +15,7 @@ struct OutlineOptions {
     /// its cubic, whose distance from the cubic is 1 / samples^2 of that of the edge.
     Reading reading = Reading::chords;
     int samples = 32;
-    std::optional<Phase> phase = {}; ///< around this phase; none: around all but the exterior
+    std::optional<Phase> phase = {}; ///< of this phase; none: of all but the exterior
 };
 
 /// The closed curves around a phase, or between the exterior and all others, counter-clockwise

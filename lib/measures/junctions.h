@@ -12,9 +12,8 @@ namespace dsc::scenes {
 
 struct Junction {
     Vertex vertex;
-    std::uint32_t sectors =
-        0;              ///< number of interface edges at the vertex, and of sectors between them
-    double min_deg = 0; ///< of the angles of its sectors
+    std::uint32_t sectors = 0; ///< number of interface edges, and of sectors, at the vertex
+    double min_deg = 0;        ///< smallest and largest angle of its sectors
     double max_deg = 0;
 };
 
@@ -28,7 +27,7 @@ template <class Real>
 
 struct JunctionFigures {
     std::uint64_t count = 0;
-    std::uint64_t crossings = 0; ///< of these, with four sectors or more
+    std::uint64_t crossings = 0; ///< number of junctions with four sectors or more
     /// The largest difference of an angle from 120 degrees, at junctions with three sectors. NaN
     /// without such a junction.
     double worst_deviation_deg = 0;

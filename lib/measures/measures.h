@@ -26,17 +26,17 @@ struct Moment {
     const ExactShape* exact = nullptr; ///< null: only measures that do not need it are run
     double area_exact_first = 0;       ///< of the first exact shape
     const Figures* figures = nullptr;  ///< the results of the measures before this one
-    MeshQuality quality = {};          ///< of the mesh, if a measure needs it
+    MeshQuality quality = {};          ///< quality of the mesh, if a measure needs it
 };
 
 enum class Needs : std::uint8_t {
     outlines,
-    exact_shape, ///< and the outlines; its value is NaN if there is no exact shape
+    exact_shape, ///< the outlines and the exact shape; without one the value is NaN
     mesh,
 };
 
 struct Measure {
-    std::string name; ///< of its value; results at the end and half-way append _last and _half
+    std::string name; ///< name of its value; results at the end and half-way append _last and _half
     std::string unit; ///< "1" if it has none
     std::string description; ///< in a few words
     Needs needs = Needs::outlines;

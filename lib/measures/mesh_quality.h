@@ -21,7 +21,7 @@ struct MeshQuality {
 template <class Real>
 [[nodiscard]] MeshQuality measure_quality(const Complex<Real>& complex);
 
-/// The same with `min_quality` and `inverted` only. O(n).
+/// Only `min_quality` and `inverted` of the same. O(n).
 template <class Real>
 [[nodiscard]] MeshQuality measure_worst(const Complex<Real>& complex);
 

@@ -12,8 +12,8 @@ namespace dsc::scenes {
 struct PhaseFigures {
     Phase phase = exterior_phase;
     double area = 0;
-    double perimeter = 0;         ///< of the edges between it and other phases
-    double boundary = 0;          ///< of its edges on the domain boundary
+    double perimeter = 0;         ///< length of the edges between it and other phases
+    double boundary = 0;          ///< length of its edges on the domain boundary
     std::uint32_t components = 0; ///< triangles joined across edges
     /// Number of holes in all components. Holes that touch at a vertex count as one.
     std::uint32_t holes = 0;

@@ -67,7 +67,7 @@ private:
         }
     }
 
-    // Whether the edge opposite to the corner is the one that the record means.
+    // Whether the edge opposite to the corner is the edge of the record.
     [[nodiscard]] bool is_edge(const Edit& edit) const {
         const Corner c = edit.corner;
         if (index_of(c) > 2 || !complex_.is_alive(Triangle{triangle_of(c)})) {
@@ -180,7 +180,7 @@ private:
 
     bool remove_vertex(const Edit& edit) {
         if (!complex_.is_alive(edit.vertex)) {
-            return true; // done with the retriangulation before it
+            return true; // repeated together with the preceding retriangulation
         }
         if (complex_.vertices[edit.vertex.id].corner != no_id) {
             return false;

@@ -20,7 +20,7 @@ namespace dsc {
 /// The kind of a file and the version of its layout.
 struct SealedKind {
     std::string name;          ///< at most 8 bytes, padded with 0 in the file
-    std::uint32_t version = 1; ///< of the layout of the bytes; other versions are refused
+    std::uint32_t version = 1; ///< version of the layout of the bytes; others are refused
 };
 
 /// Writes a part file, syncs it to the disk and renames it, so that an existing file is never
@@ -30,7 +30,8 @@ void write_sealed(const std::string& path, const SealedKind& kind, const std::st
 /// The bytes of such a file, to be stored elsewhere. Throws InputError as `write_sealed`.
 [[nodiscard]] std::string sealed(const SealedKind& kind, const std::string& bytes);
 
-/// The bytes that were sealed. Errors refer to them by `name`; throws FileError as `read_sealed`.
+/// The bytes that were sealed. The content of such bytes, which errors call `name`; throws
+/// FileError like `read_sealed`.
 [[nodiscard]] std::string unsealed(std::string bytes, const SealedKind& kind,
                                    const std::string& name);
 
