@@ -29,7 +29,7 @@ bool read_number(const std::string& text, Number low, Number high, Number& numbe
     return true;
 }
 
-// In these rows `field` accesses the field of the key: a member pointer, or a function of the
+// In these rows `field` gives access to the key's field: a member pointer, or a function of the
 // parameters.
 template <class Number, class Field>
 Key number(std::string name, Field field, Number low, Number high, std::string allowed) {

@@ -25,7 +25,7 @@ struct Key {
     /// Sets it from text. Returns false, and sets nothing, if the text is not an allowed value.
     std::function<bool(Parameters&, const std::string& text)> parse;
     std::function<Setting(const Parameters&)> value;
-    bool is_common = true; ///< accepted by all scenes; else only by those that list it
+    bool is_common = true; ///< accepted by all scenes; otherwise only by those that list it
 };
 
 /// All of them, in the order used in result files.

@@ -49,13 +49,13 @@ struct Parameters {
     double dt = 0.01;        ///< time step
     int steps = 0;           ///< time steps; for the swirl: each way
     double period = 0;       ///< duration of a flow that turns back; 0: none
-    double angle = 0;        ///< between the x axis and the rays of four sectors, in degrees
+    double angle = 0;        ///< angle between the x axis and the rays of four sectors, in degrees
     int grains = 0;          ///< grains, bubbles or discs at the start; 0: chosen from h
     std::uint64_t sites = 0; ///< draws the places of discs
     double nucleation = 0;   ///< discs that appear later, per unit of area and time
     Fineness inside = Fineness::fine;  ///< triangles of the shape
     Fineness outside = Fineness::fine; ///< of the exterior
-    Ramp ramp = Ramp::quadratic;       ///< of a value from the first radius to the last
+    Ramp ramp = Ramp::quadratic; ///< form of the rise of a value from the first radius to the last
     IntegratorChoice integrator = IntegratorChoice::rk4;
     double tolerance = Options<double>{}.tolerance; ///< of `adaptive`, in edge lengths
     Insertion insertion = Insertion::cubic;

@@ -30,14 +30,14 @@ struct CurvatureMotion {
 /// Growth along the normal, at a speed that changes its sign once.
 struct Growth {
     double speed = 1;    ///< of phase 1 into the exterior
-    double turns_at = 0; ///< the time from which on it shrinks at that speed
-    std::shared_ptr<const GrowingDiscs> discs{}; ///< grow in place of phase 1, each from its start
+    double turns_at = 0; ///< time from which on the phase shrinks at that speed
+    std::shared_ptr<const GrowingDiscs> discs{}; ///< grow instead of phase 1, each from its start
 };
 
 /// A small wave on a level or around a circle, whose height over time is known.
 struct SmallWave {
     bool is_on_circle = false;
-    Point<double> middle{0.0, 0.0}; ///< of the circle; of a level: any point on it
+    Point<double> middle{0.0, 0.0}; ///< centre of the circle; of a level: any point on it
     double number = 1;              ///< crests around the circle; of a level: 2 pi / wavelength
     std::function<double(double time)> exact{}; ///< its height
 };
@@ -92,7 +92,7 @@ struct RadialValue {
     double first_radius = 0;
     double last_radius = 1;
     double speed = 1; ///< at which the radius grows
-    double power = 1; ///< of the rise with the radius
+    double power = 1; ///< form of the rise with the radius
 
     [[nodiscard]] double at_radius(double radius) const {
         const double share = (radius - first_radius) / (last_radius - first_radius);
@@ -111,8 +111,8 @@ struct Setup {
     Rectangle domain{};               ///< or the box around it
     std::optional<Polygon> polygon{}; ///< the domain, if it is no rectangle
     std::vector<Outline> outlines{};
-    std::vector<Phase> phases{};      ///< of the outlines, in their order; empty: all are phase 1
-    std::vector<dsc::Curve> curves{}; ///< instead of outlines, if several phases meet
+    std::vector<Phase> phases{}; ///< phases of the outlines, in their order; empty: all are phase 1
+    std::vector<dsc::Curve> curves{};           ///< instead of outlines, if several phases meet
     std::shared_ptr<const LabelImage> labels{}; ///< instead of outlines and curves
     bool clamped = false;            ///< whether ends of curves on the domain's sides stay
     std::optional<Phase> measured{}; ///< the phase whose shape is measured; empty: all but 0

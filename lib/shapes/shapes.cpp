@@ -14,7 +14,7 @@ namespace dsc::scenes {
 namespace {
 
 using std::numbers::pi;
-/// A larger number of vertices results from a wrong unit.
+/// A larger number of vertices must result from a wrong unit.
 constexpr double max_vertices = 1e8;
 /// Sides shorter than this, relative to the size of the shape, are points up to rounding.
 constexpr double same_point = 1e-13;

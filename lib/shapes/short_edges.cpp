@@ -90,16 +90,16 @@ private:
         return edges;
     }
 
-    // The position of two merged vertices. A vertex at a corner of the domain wins over others, and
-    // one on a side over those inside; two of the same kind go to the mean of the vertices that
-    // they contain.
+    // The position of two merged vertices. A vertex at a corner of the domain keeps its position,
+    // and so does one on a side when merged with one inside; two of the same kind move to the mean
+    // of the vertices that they contain.
     [[nodiscard]] std::optional<Point<double>> place_of(std::uint32_t a, std::uint32_t b) const {
         const unsigned at_a = diagram_.sides[a];
         const unsigned at_b = diagram_.sides[b];
         const Point<double>& p = diagram_.vertices[a];
         const Point<double>& q = diagram_.vertices[b];
         if ((at_a | at_b) != at_a && (at_a | at_b) != at_b) {
-            return std::nullopt; // they are on two different sides
+            return std::nullopt; // the vertices are on two different sides
         }
         if (at_a != at_b) {
             return (at_a | at_b) == at_a ? p : q;
@@ -149,7 +149,7 @@ private:
     std::vector<double> merged_;     // by vertex: the number of vertices that it contains
     std::vector<std::uint32_t> now_; // by vertex: itself, or the vertex it was merged into
     std::vector<std::vector<std::uint32_t>> cells_; // by vertex, ascending
-    std::vector<Point<double>> centres_;            // of the cells, before anything is contracted
+    std::vector<Point<double>> centres_; // centres of the cells, before anything is contracted
 };
 
 } // namespace

@@ -27,7 +27,7 @@ struct Tank {
     std::function<void(double h, Setup& setup)> fill{};
     std::optional<SmallWave> wave{};
     std::function<double(double time)> neck{};
-    /// Of the interface, over h; empty: 1.
+    /// Edge lengths of the interface, over h; empty: 1.
     std::function<double(const Point<double>& place, double time)> edges{};
     double shortest = 0;  ///< shortest of these edges over h
     double tolerance = 0; ///< of the error of a step, in edge lengths, over h squared; 0: none
@@ -72,7 +72,7 @@ FluidOptions two_fluids(const FluidPhase& around, const FluidPhase& inside, doub
     return options;
 }
 
-/// Edge lengths at the start, over h: edges longer than h would be split.
+/// Edge lengths at the start, over h; without them edges longer than h would be split.
 constexpr double slack = 0.999;
 
 /// The longest edge of a drop with a small wave, relative to the edges of a circle.
@@ -143,7 +143,8 @@ Tank static_drop() {
             }};
 }
 
-// n sigma / (2 (mu_i + mu_o) R) is its rate without walls; here the walls slow it down by 0.3 %.
+// Without walls the drop becomes round at the rate n sigma / (2 (mu_i + mu_o) R); here the walls
+// slow it down by 0.3 %.
 Tank stokes_ellipse() {
     constexpr double stretch = 0.01;
     constexpr double rate = 0.25;

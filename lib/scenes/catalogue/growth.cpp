@@ -52,7 +52,7 @@ Setup dumbbell_to_two_lobes(const Parameters& p) {
     return setup;
 }
 
-/// The exact cell of disc 1 is what its shape is compared with; the wrong area is that of all.
+/// The shape of disc 1 is compared with its exact cell; the wrong area is that of all discs.
 Setup discs_fill_the_square(const Parameters& p) {
     const auto discs =
         std::make_shared<const GrowingDiscs>(nucleating_discs(p.grains, p.sites, p.nucleation));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value at the vertices (thesis, section 9.5): the interface sets it and leaves it behind inside
+// A value at the vertices (thesis, section 9.5): the interface sets the value and leaves it behind
 // as it moves on; inserted vertices get it by linear interpolation.
 //
 // The thesis lets the value rise linearly from the first radius on. The field then has a kink,

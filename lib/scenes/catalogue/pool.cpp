@@ -13,7 +13,7 @@ namespace {
 constexpr Falling fall{.surface = 0.3, .depth = 0.1, .speed = 1};
 const Point<double> first_centre(0.5, 0.55);
 constexpr double drop_radius = 0.12;
-/// Vertices of the polygon that stands for the drop's exact shape.
+/// Vertices of the polygon that represents the drop's exact shape.
 constexpr double fine = 1e-4;
 
 ExactShape drop_and_pool_at(double time) {

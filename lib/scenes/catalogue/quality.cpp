@@ -13,7 +13,7 @@ namespace {
 
 // The circle of `scaling` in a mesh that is fine in a band around the circle and coarse elsewhere.
 Setup grow_in_a_fine_band(const Parameters& p) {
-    constexpr double edges_to_interface = 5; // the same from any point outside the band
+    constexpr double edges_to_interface = 5; // from any point outside the band
     Setup setup = scaling_scene({}, p.h).prepare(p);
     setup.sizes.by_distance = EdgesToInterface{p.h, edges_to_interface};
     return setup;

@@ -99,8 +99,8 @@ std::string details() {
     return text.str();
 }
 
-// With --threads alone, the strategy is `cells`, and the number of cells follows from the length of
-// the interface: on any number of threads, so that the result does not depend on it.
+// With --threads alone, the strategy is `cells`. The number of cells follows from the length of the
+// interface, not from the number of threads, so that the result does not depend on it.
 Strategy strategy_of(const Arguments& arguments) {
     if (arguments.strategy) {
         return parse_strategy(*arguments.strategy);

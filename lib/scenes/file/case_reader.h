@@ -60,7 +60,7 @@ struct CaseSize {
     double h = 0;
 };
 
-/// The sizes listed by `h` or `triangles`; the scene's default if neither is given.
+/// The sizes in `h` or `triangles`; the scene's default if neither is given.
 [[nodiscard]] std::vector<CaseSize> read_sizes(const CaseReader& reader);
 
 /// A scene of the catalogue, or of a file whose path is relative to the suite.

@@ -13,7 +13,7 @@ namespace {
 
 std::string in_quotes(const std::string& text) { return '"' + text + '"'; }
 
-// Names, and integers too large for TOML.
+// Names, and integers too large for TOML, are quoted.
 bool needs_quotes(const Setting& setting) {
     const auto* number = std::get_if<std::uint64_t>(&setting);
     return std::holds_alternative<std::string>(setting) ||
@@ -28,7 +28,7 @@ std::string options_in_toml(const Scene& scene, const Parameters& parameters) {
         }
         const Setting value = key.value(parameters);
         const std::string written = text_of(value);
-        // dt, steps or period of 0 is the scene's own choice, which cannot be written.
+        // A dt, steps or period of 0 means the scene's own choice, which cannot be written.
         Parameters read;
         text +=
             key.parse(read, written)

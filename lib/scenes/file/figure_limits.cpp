@@ -59,7 +59,8 @@ std::vector<FigureLimit> read_limits(const TableReader& reader,
     reader.allow(names);
     std::vector<FigureLimit> limits;
     for (const std::string& figure : reader.keys()) {
-        if (figure.starts_with("jaggedness")) { // has several parts; limits apply to this one
+        if (figure.starts_with(
+                "jaggedness")) { // has several parts; limits apply to the one named here
             const TableReader parts = reader.table(figure);
             const std::string excess = "largest_excess_deg";
             parts.allow({excess});

@@ -28,8 +28,8 @@ struct FigureLimit {
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader,
                                                    const std::vector<std::string>& names);
 
-/// Why a run of this setup does not measure the figure; empty if it does. `is_quick`: do not check
-/// whether the exact shape is known half-way, which may take long.
+/// The reason why a run of this setup does not measure the figure; empty if it does. `is_quick`: do
+/// not check whether the exact shape is known half-way, which may take long.
 [[nodiscard]] std::string why_missing(const std::string& figure, const Setup& setup,
                                       bool is_quick = false);
 

@@ -237,7 +237,7 @@ void check_grains(const Scene& scene, const Parameters& parameters, const std::s
     if (std::ranges::find(scene.keys, "grains") == scene.keys.end()) {
         return;
     }
-    // By default the number follows from h: see catalogue/networks.cpp.
+    // By default the number of grains follows from h: see catalogue/networks.cpp.
     if (parameters.grains > max_grains ||
         (parameters.grains == 0 && parameters.h < finest_grains)) {
         throw InputError(

@@ -94,7 +94,7 @@ private:
     [[nodiscard]] TableReader reader(const toml::table& table, const std::string& key) const {
         return {table, name_.empty() ? key : name_ + "." + key, *file_};
     }
-    /// The value of the node by `convert`, or the list of values of an array; refuses nodes that
+    /// The value of the node, or the list of values of an array, by `convert`; refuses nodes that
     /// `convert` cannot convert.
     template <class Convert>
     [[nodiscard]] auto converted(const std::string& key, Convert convert,

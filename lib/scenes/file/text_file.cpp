@@ -30,7 +30,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
-    text << file.rdbuf(); // this fails for an empty file as well
+    text << file.rdbuf(); // reading an empty file fails here as well
     if (!file.is_open() || (size > 0 && text.fail())) {
         throw FileError("cannot read this file", path.string(), errno);
     }
@@ -67,7 +67,8 @@ void check_outputs(const std::vector<NamedFile>& outputs, std::vector<NamedFile>
             place = destination_of(output.path);
             if (!place.is_stream) {
                 PartFile unused(output.path);
-            } else if (access(place.path.c_str(), W_OK) != 0) { // a pipe would wait for a reader
+            } else if (access(place.path.c_str(), W_OK) !=
+                       0) { // opening a pipe would wait for a reader
                 throw FileError("cannot be written", output.path, errno);
             }
         } catch (const FileError& error) {

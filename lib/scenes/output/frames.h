@@ -23,8 +23,8 @@ struct FramePlan {
     std::string folder{}; ///< empty: no frames
     int count = 9;
     int every = 0;               ///< steps; 0: not by steps
-    std::vector<double> times{}; ///< each at the first step that reaches it
-    Layers layers{};             ///< of pictures (.svg) of the frames; empty: none
+    std::vector<double> times{}; ///< each time has a frame at the first step that reaches it
+    Layers layers{};             ///< layers of pictures (.svg) of the frames; empty: none
 };
 
 /// Throws InputError for a time outside the run.
@@ -36,7 +36,7 @@ void check_times(const FramePlan& plan, const Setup& setup);
 /// The frames of a run; the setup must outlive them.
 class Frames {
 public:
-    /// Creates the folder. Throws InputError if it is not writable, and as check_times does.
+    /// Creates the folder. Throws InputError if the folder is not writable, and like check_times.
     Frames(FramePlan plan, std::string name, const Setup& setup);
 
     [[nodiscard]] bool is_due(int step) const { return is_frame_due(plan_, setup_, step); }

@@ -18,12 +18,11 @@ inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 10};
 /// The command line of a run: enough to start it again.
 struct RunOrigin {
     std::string scene;                 ///< its name in the list, or the path of its file
-    std::string text;                  ///< of that file; empty for a scene of the list
+    std::string text;                  ///< text of that file; empty for a scene of the list
     std::vector<std::string> settings; ///< key=value
     Strategy strategy = Strategy::sequential;
     Submeshing submeshing;
-    std::string
-        commit; ///< of the program that wrote the file; another commit may round differently
+    std::string commit; ///< commit of the program that wrote the file; others may round differently
 };
 
 void archive(Archive& archive, RunOrigin& origin);

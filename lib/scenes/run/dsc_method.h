@@ -113,7 +113,7 @@ public:
         }
     }
 
-    /// Saves the state in case that the step fails; not part of its time.
+    /// Saves the state in case the step fails; not part of the step's time.
     void before_step() {
         if constexpr (std::is_same_v<Real, double>) {
             if (fluid_) {
@@ -121,7 +121,7 @@ public:
             }
         }
     }
-    /// Measures the step; not part of its time.
+    /// Measures the step; not part of the step's time.
     void after_step() {
         if (fluid_) {
             fluid_->look();
@@ -239,12 +239,12 @@ private:
         }
     }
 
-    // A step that begins, up to rounding, at the time of the turn goes back.
+    // A step that begins, up to rounding, at the time of the turn shrinks the phase.
     static double both_ways(const Growth& growth, double time) {
         return time < growth.turns_at * (1 - 1e-9) ? 1 : -1;
     }
-    // Of a step that begins at a time: a disc that begins to grow within it does so at that part
-    // of its speed.
+    // The speeds for a step that begins at a time: a disc that begins to grow within the step grows
+    // at the corresponding fraction of its speed.
     template <class Way>
     [[nodiscard]] dsc::GrowthOptions<Real> growth_of(const Growth& growth, Way way,
                                                      double begin) const {
@@ -296,8 +296,8 @@ private:
     std::optional<QualityWatch<Real>> watch_;       // of the simulation
     std::shared_ptr<TopologyStage<Real>> topology_; ///< null if the topology is kept
     const Executor<Real>* executor_ = nullptr;      // of the simulation
-    std::uint32_t threads_of_copies_ = 1;           ///< of the strategy that copies submeshes
-    const Velocity* leg_ = nullptr;                 ///< the velocity of the previous step
+    std::uint32_t threads_of_copies_ = 1; ///< executor of the strategy that copies submeshes
+    const Velocity* leg_ = nullptr;       ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::optional<KeptValue<Real>> value_;

@@ -17,13 +17,13 @@ namespace dsc::scenes {
 /// Figures of a fluid at one time; NaN if not measured.
 struct FluidMoment {
     double time = 0;
-    double circularity = 0;      ///< of the cubic through the vertices; NaN for a phase at a wall
+    double circularity = 0;      ///< by the cubic through the vertices; NaN for a phase at a wall
     double centre = 0;           ///< y of the phase's centroid
     double rise_velocity = 0;    ///< the mean of its vertical velocity
     double area = 0;             ///< with straight edges
     double largest_velocity = 0; ///< anywhere
-    double pressure_jump = 0;    ///< mean pressure of the phase minus that of the exterior
-    double energy = 0;           ///< kinetic, potential and of the surfaces
+    double pressure_jump = 0;    ///< mean pressure of the phase minus that of the exterior phase
+    double energy = 0;           ///< sum of kinetic, potential and surface energies
     double amplitude = 0;        ///< of the scene's small wave; NaN without one
     double exact_amplitude = 0;  ///< the same
     double neck = 0;             ///< of the scene's neck; NaN without one
@@ -37,10 +37,10 @@ public:
     FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads);
 
     /// Throws InputError for a tension of two phases that do not meet now. To be called if the
-    /// topology is kept: then they never will.
+    /// topology is kept, because such phases then never meet.
     void check_pairs_meet() const;
-    /// Saves the state, to be restored if the step fails: a failed step leaves a mesh without a
-    /// flow.
+    /// Saves the state, which is restored if the step fails, because a failed step leaves a mesh
+    /// without a flow.
     void before_step(Simulation<double>& simulation);
     /// Moves the interface of the simulation. A failed step is undone; its report only says why it
     /// gave up.

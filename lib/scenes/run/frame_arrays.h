@@ -20,8 +20,8 @@ void end_displacements(Complex<Real>& complex);
 
 template <class Real>
 struct FrameView {
-    const dsc::Velocity<Real>* velocity = nullptr; ///< null: that of the last step
-    Real time = 0;                                 ///< at which the velocity is evaluated
+    const dsc::Velocity<Real>* velocity = nullptr; ///< null: the velocity of the last step
+    Real time = 0;                                 ///< time at which the velocity is evaluated
     Real dt = 0;                                   ///< of the last step
     Real edge_length = 0;
     bool is_uniform = true;               ///< whether all edges have that target length

@@ -65,23 +65,23 @@ struct RunResult {
     double area_first = 0; ///< of the first polygon
     double area_exact_first = 0;
     double area_ratio = 0;       ///< A(t_n) / A(t_0), as in the thesis
-    Figures last;                ///< of the measures, at the end
+    Figures last;                ///< values of the measures, at the end
     std::optional<Figures> half; ///< half-way, if the flow turns back
     /// Largest error of the value that the scene keeps at vertices, at the end; NaN without one.
     double attribute_error = std::numeric_limits<double>::quiet_NaN();
-    Figures fluid;      ///< of a fluid (fluid_run.h); empty without one
-    Figures diagram;    ///< of growing discs, against the exact diagram; empty without them
-    PhaseReport phases; ///< at the end, like the next
+    Figures fluid;      ///< figures of a fluid (fluid_run.h); empty without one
+    Figures diagram;    ///< errors of growing discs against the exact diagram; empty without them
+    PhaseReport phases; ///< at the end, like the next member
     JunctionFigures junctions;
     double min_quality_ever = 0;
     int quality_sampled_every = 1; ///< steps between samples of `min_quality_ever` and `inverted`
     std::uint64_t inverted = 0;    ///< triangles that an exact predicate found not positive, summed
     std::uint64_t unreached = 0;
-    std::uint64_t held = 0; ///< of these, because of a velocity that was not finite
+    std::uint64_t held = 0; ///< of the unreached ones, because of a velocity that was not finite
     std::uint64_t sub_steps = 0;
     std::map<std::string, std::uint64_t> operations;
     std::vector<Event> events;     ///< changes of topology
-    AreaAccount area;              ///< of these, if it was to be given back
+    AreaAccount area;              ///< area given back, if the options ask for it
     std::vector<SeriesRow> series; ///< includes the first and the last step; empty if not requested
     double cpu_s = 0;              ///< of all steps, without measuring
     double wall_s = 0;

@@ -57,7 +57,7 @@ struct SlottedBall {
     Point centre{0.5, 0.75, 0.5};
     double radius = 0.15;
     double half_width = 0.025;
-    double top = 0.1; // of the slot, above the centre
+    double top = 0.1; // height of the slot's end above the centre
 
     [[nodiscard]] double distance(const Point& p) const {
         const Point r = p - centre;

@@ -6,7 +6,8 @@
 
 namespace dsc::scenes::space {
 
-/// The volume between the interface and a shape: the distance, integrated over the faces.
+/// The volume between the interface and a shape: the distance from the shape, integrated over the
+/// faces.
 [[nodiscard]] double volume_between(const dsc3::Complex& complex, const dsc3::Distance& shape);
 
 /// The volume between the interface at some time and the exact one, for a flow that conserves

@@ -58,7 +58,7 @@ struct RunResult {
 
 /// The options and outputs of a run.
 struct RunOptions {
-    FramePlan frames{}; ///< of the tets (.vtu) and the interface (.ply)
+    FramePlan frames{}; ///< frames of the tets (.vtu) and the interface (.ply)
     CheckpointPlan checkpoint{};
     const Checkpoint* resume = nullptr; ///< to resume from, bitwise identically
     int stop_after = 0;                 ///< steps; 0: no such limit

@@ -16,13 +16,13 @@ namespace dsc::scenes::space {
 /// A scene with its parameters filled in.
 struct Setup {
     dsc3::Box domain{};
-    std::vector<dsc3::Shape> shapes{}; ///< the phase of the first is measured
+    std::vector<dsc3::Shape> shapes{}; ///< the phase of the first shape is measured
     dsc3::Velocity velocity{};
     double dt = 0;
     int steps = 0;
-    std::optional<int> half_step{}; ///< when a flow that conserves volume turns back
+    std::optional<int> half_step{}; ///< time when a flow that conserves volume turns back
     dsc3::Distance last{};          ///< the exact shape at the end; empty: unknown
-    double volume_last = 0;         ///< of the exact shape at the end
+    double volume_last = 0;         ///< volume of the exact shape at the end
 };
 
 struct Scene {

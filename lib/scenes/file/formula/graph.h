@@ -50,7 +50,7 @@ struct FormulaNode {
     RowOperation operation = nullptr; ///< null for x, y, t, constants, and cosines
     /// The operands, which come before this node.
     std::array<FormulaNodeId, 3> of{no_formula_node, no_formula_node, no_formula_node};
-    bool sees_place = false; ///< depends on x, y or z
+    bool sees_place = false; ///< whether it depends on x, y or z
     bool sees_time = false;
     double value = 0; ///< of a constant
 
@@ -99,7 +99,7 @@ private:
     int dimension_;
 };
 
-/// Names and their values; pi is always defined.
+/// The parameters and their values; pi is always defined.
 using FormulaParameters = std::map<std::string, double, std::less<>>;
 
 /// Throws InputError with the position of the error and what is allowed there; `where` names the
