@@ -35,7 +35,7 @@ bool is_data(const AttributeBase& one) {
     return visit_data(one, [](const auto& /*attribute*/) {});
 }
 
-// For each name, whether the data is that of vertices.
+// The names of the data of vertices or triangles.
 py::dict data_names(const Mesh& mesh) {
     py::dict names;
     for (const auto& one : mesh.complex().attributes.list()) {
@@ -66,7 +66,7 @@ void write(Complex<double>& complex, const std::string& name, const double* valu
     if (!complex.attributes.contains(name)) {
         complex.attributes.add<Simplex>(name, initial);
     }
-    auto& attribute = complex.attributes.get<Simplex, T>(name); // throws if it has another type
+    auto& attribute = complex.attributes.get<Simplex, T>(name); // throws for another type
     constexpr int width = std::is_same_v<T, double> ? 1 : 2;
     for (const Simplex each : range_of(complex, Simplex())) {
         std::memcpy(static_cast<void*>(&attribute[each]), values, sizeof(T));

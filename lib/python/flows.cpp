@@ -33,7 +33,7 @@ VelocityAtOnce<double> velocity_of(const py::function& function) {
 
 // --- flows that depend on the interface--------------------------------------------------------
 
-// -1 for none: the neighbours of a junction, and the outside of the domain.
+// Indices, with -1 for none: for the neighbours of a junction, and the outside of the domain.
 std::int64_t number_or_none(std::uint32_t number) {
     return number == no_id || number == border_phase ? -1 : std::int64_t{number};
 }
@@ -85,7 +85,8 @@ InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator int
                                   std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double t,
                                               std::span<Point<double>> velocities) {
-            // A copy, so that a failure at one vertex does not affect its neighbours.
+            // Copies the velocities, so that a failure at one vertex does not affect its
+            // neighbours.
             Points seen(positions.begin(), positions.end());
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 seen[i] = seen[i].allFinite() ? seen[i] : view.positions[i];

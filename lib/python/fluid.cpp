@@ -63,7 +63,7 @@ private:
 
     std::shared_ptr<Mesh> mesh_;
     Fluid fluid_;
-    std::uint64_t revision_; ///< of the mesh, at the last solution
+    std::uint64_t revision_; ///< revision of the mesh at the last solution
 };
 
 std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const Phases& phases,

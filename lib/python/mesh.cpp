@@ -40,7 +40,7 @@ std::vector<CurveParts> curves_of(const Mesh& mesh) {
 using MadeMesh = std::shared_ptr<Mesh>;
 using WholeNumbers = ArrayLike<std::uint32_t>;
 
-// From triangles (m, 3) with a phase each.
+// Makes a mesh from triangles (m, 3) with a phase each.
 MadeMesh from_arrays(const Points& points, const WholeNumbers& triangles,
                      const WholeNumbers& phases) {
     std::vector<std::array<std::uint32_t, 3>> corners(static_cast<std::size_t>(phases.shape(0)));
@@ -59,7 +59,7 @@ InitialOptions initial_options(const py::dict& keywords) {
             .coverage = choices.coverage};
 }
 
-// A rectangle by two points, or the rings of a polygon.
+// A domain: a rectangle by two points, or a polygon by its rings.
 template <class Piece>
 Complex<double> first_complex(const std::vector<Points>& domain, std::span<const Piece> pieces,
                               const InitialOptions& options, InputReport& report) {
@@ -96,7 +96,7 @@ MadeMesh from_pieces(const std::vector<Points>& domain,
     return mesh;
 }
 
-// The first complex from an image, whose first row is the uppermost.
+// The first complex from an image, given by rows from the top.
 MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size_t min_pixels,
                      const py::dict& keywords) {
     const LabelImage image{static_cast<std::size_t>(labels.shape(0)),
@@ -161,7 +161,7 @@ const Mesh::Arrays& Mesh::arrays() {
     if (arrays_) {
         return *arrays_;
     }
-    // By id: ranges of handles take four times as long.
+    // Visits triangles by id, because ranges of handles take four times as long.
     const auto rows = std::make_unique_for_overwrite<std::int32_t[]>(complex.vertex_bound());
     py::array_t<double> points({static_cast<py::ssize_t>(complex.vertex_count()), py::ssize_t{2}});
     double* place = points.mutable_data();

@@ -40,7 +40,7 @@ public:
     /// destroyed. Throws std::runtime_error if another change is running.
     [[nodiscard]] std::shared_ptr<void> change();
 
-    InputReport input_report; ///< of the shapes or curves from which the mesh was made, if any
+    InputReport input_report; ///< on the shapes or curves of the mesh, if any
 
 private:
     struct Arrays {

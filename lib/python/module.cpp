@@ -15,7 +15,7 @@ PYBIND11_MODULE(_dsc, module) {
     py::register_exception<dsc::SolveError>(module, "SolveError", PyExc_RuntimeError).doc() =
         "Equations of a fluid that cannot be solved: triangles have degenerated, or it is too "
         "fast.";
-    // Sealed bytes, in which a changed byte is detected.
+    // Seals bytes, so that a changed byte is detected.
     const dsc::SealedKind kind{"dsc-py"};
     module.def("sealed",
                [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });

@@ -100,8 +100,7 @@ public:
             const py::gil_scoped_release others_run;
             report_ = flow.step(*simulation_, time, dt);
         } catch (const InputError&) {
-            if (watch_->so_far.sub_steps >
-                0) { // otherwise the step was refused and nothing has moved
+            if (watch_->so_far.sub_steps > 0) { // false: the step was refused and nothing has moved
                 note_failure();
             }
             throw;

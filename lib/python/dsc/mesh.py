@@ -24,7 +24,7 @@ class Mesh(_dsc.Mesh):
     """
 
     def __init__(self, points, triangles, phases):
-        """Makes a mesh from arrays; `initial_complex` makes one from shapes."""
+        """Makes a mesh from arrays; `initial_complex` makes a mesh from shapes."""
         triangles = arrays.whole_numbers(triangles, "triangles", "(m, 3)", 2)
         phases = arrays.whole_numbers(phases, "phases", "(m,)", 1)
         if triangles.shape != (len(phases), 3):
