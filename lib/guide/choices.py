@@ -32,7 +32,7 @@ def words_of(settings):
 
 
 def measured(program, scene, settings, runs):
-    """The cells of a row: the errors at the end and half-way, and the CPU seconds."""
+    """The cells of a row: errors at the end and half-way, and CPU seconds."""
     words = [program, "run", scene]
     for key, value in settings.items():
         words += ["--set", f"{key}={value}"]
