@@ -260,7 +260,7 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     : complex_(complex), options_(std::move(options)), system_(std::make_unique<FluidSystem>()) {
     check_fluid(options_);
     fill_voids(options_.phases);
-    MeshSnapshot mesh = freeze(complex_);
+    MeshSnapshot mesh = snapshot_of(complex_);
     check_complex(mesh, options_);
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
@@ -303,7 +303,7 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;
     } else {
-        auto next = solution_in(freeze(complex_), time() + dt, report);
+        auto next = solution_in(snapshot_of(complex_), time() + dt, report);
         areas_ = account.at(next->time);
         report.error = error_of_motion(*next, moving_vertex, next->time - time());
         two_ = std::exchange(one_, std::move(next));

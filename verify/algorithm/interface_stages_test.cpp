@@ -140,12 +140,12 @@ TEST(InterfaceStages, AVelocityForAllAtOnceMovesTheSameBitsInOneCallAStage) {
         }};
     constexpr Parallel in_four{.threads = 2, .submeshes = 4, .always_all_threads = true};
     for (const auto& [integrator, name] : scenes::integrator_choice_names) {
-        for (const bool carries : {false, true}) {
+        for (const bool is_advected : {false, true}) {
             auto one = test::disc_complex<double>(coarse);
             auto other = test::disc_complex<double>(coarse);
             auto options = options_for<double>(coarse);
             scenes::choose_integrator(options, integrator);
-            options.advected_phases.assign(carries ? 1 : 0, Phase{1});
+            options.advected_phases.assign(is_advected ? 1 : 0, Phase{1});
             Simulation<double> in_parts(one, options, in_four);
             Simulation<double> together(other, options, in_four);
             for (int step = 0; step < 8; ++step) {

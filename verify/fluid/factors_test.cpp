@@ -18,7 +18,7 @@ constexpr double mass = 1e-4; // weight of the pressure block: large enough that
 // The equations of a drop at rest, and the data for their solution.
 struct Equations {
     explicit Equations(double edge_length, std::uint32_t threads = 1)
-        : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(freeze(tank.complex)),
+        : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(snapshot_of(tank.complex)),
           dissection(dissect(mesh)),
           numbers(number_unknowns(mesh, dissection, tank.fluid.options(), 0.1)) {
         assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1, system);

@@ -24,16 +24,16 @@ using scenes::Outline;
 // One revolution about the middle.
 HardResult turned(const Outline& outline, double h, const std::string& asked, double allowed) {
     constexpr int steps = 200;
-    return carry({.asked = asked,
-                  .outlines = {outline},
-                  .h = h,
-                  .flow = scenes::Rotation{{0.5, 0.5}, 2 * std::numbers::pi},
-                  .dt = 1.0 / steps,
-                  .steps = steps,
-                  .exact = {outline},
-                  .allowed = allowed,
-                  .happened = "turns once and keeps its shape",
-                  .thorough_every = 5});
+    return advect({.asked = asked,
+                   .outlines = {outline},
+                   .h = h,
+                   .flow = scenes::Rotation{{0.5, 0.5}, 2 * std::numbers::pi},
+                   .dt = 1.0 / steps,
+                   .steps = steps,
+                   .exact = {outline},
+                   .allowed = allowed,
+                   .happened = "turns once and keeps its shape",
+                   .thorough_every = 5});
 }
 
 const double tenth_of_a_degree = 0.1 * std::numbers::pi / 180;

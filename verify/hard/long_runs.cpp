@@ -53,16 +53,16 @@ HardResult slow_case(std::uint64_t steps) {
     // always in the same direction.
     const double drift = static_cast<double>(steps) * 0.5 * std::numeric_limits<double>::epsilon();
     const double allowed = drift * scenes::perimeter(exact) / scenes::signed_area(exact) + 1e-13;
-    HardResult result = carry({.asked = "a circle translated by three edge lengths in " +
-                                        std::to_string(steps) + " steps",
-                               .outlines = outlines,
-                               .h = h,
-                               .flow = scenes::Translation{{1, 0}},
-                               .dt = way / static_cast<double>(steps),
-                               .steps = steps,
-                               .exact = exact,
-                               .allowed = allowed,
-                               .thorough_every = static_cast<int>(steps / 100)});
+    HardResult result = advect({.asked = "a circle translated by three edge lengths in " +
+                                         std::to_string(steps) + " steps",
+                                .outlines = outlines,
+                                .h = h,
+                                .flow = scenes::Translation{{1, 0}},
+                                .dt = way / static_cast<double>(steps),
+                                .steps = steps,
+                                .exact = exact,
+                                .allowed = allowed,
+                                .thorough_every = static_cast<int>(steps / 100)});
     result.happened = "the shape drifts by rounding alone: " + text(*result.error / allowed) +
                       " of what one rounding a step adds up to at most";
     return result;

@@ -23,8 +23,8 @@ using scenes::Outline;
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
 // Steps of this many edge lengths, none of which is too long.
-HardResult in_steps(const Carried& advected) {
-    HardResult result = carry(advected);
+HardResult in_steps(const Advected& advected) {
+    HardResult result = advect(advected);
     result.happened = "arrives everywhere, in at most " + std::to_string(result.max_sub_steps) +
                       " sub-steps a step";
     return result;
@@ -94,7 +94,7 @@ HardResult slotted_disc_case() {
     constexpr int steps = 500;
     const std::vector<Outline> exact = swirled(scenes::slotted_disc_curve({}), steps * dt);
     const double width = 2 * scenes::signed_area(exact) / scenes::perimeter(exact);
-    return carry(
+    return advect(
         {.asked = "the slotted disc in the swirl, one way for five units of time at h = 0.02",
          .outlines = {scenes::slotted_disc({}, h)},
          .h = h,

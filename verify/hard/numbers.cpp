@@ -104,18 +104,18 @@ HardResult denormal_coordinates() {
         }
     }
     const std::vector<Outline> outlines{outline};
-    return carry({.asked = "an outline with denormal coordinates in a domain about the origin",
-                  .outlines = outlines,
-                  .h = circle_h,
-                  .flow = test::pointwise(
-                      [](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
-                  .dt = dt,
-                  .steps = step_count,
-                  .exact = scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines,
-                  .allowed = 1e-10,
-                  .happened = "as with zeros",
-                  .domain = domain,
-                  .thorough_every = 1});
+    return advect({.asked = "an outline with denormal coordinates in a domain about the origin",
+                   .outlines = outlines,
+                   .h = circle_h,
+                   .flow = test::pointwise(
+                       [](const Point<double>& p, double) { return Point<double>(-p.y(), p.x()); }),
+                   .dt = dt,
+                   .steps = step_count,
+                   .exact = scenes::rotated_shape(outlines, {0, 0}, step_count * dt).outlines,
+                   .allowed = 1e-10,
+                   .happened = "as with zeros",
+                   .domain = domain,
+                   .thorough_every = 1});
 }
 
 // One vertex is so fast that no number of sub-steps is enough.

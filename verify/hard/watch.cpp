@@ -167,8 +167,8 @@ bool Watch<Real>::run(const Velocity<Real>& velocity, double time, double dt, st
     return true;
 }
 
-HardResult carry(const Carried& advected,
-                 const std::function<void(const Complex<double>&, HardResult&)>& more) {
+HardResult advect(const Advected& advected,
+                  const std::function<void(const Complex<double>&, HardResult&)>& more) {
     HardResult result;
     result.asked = advected.asked;
     result.happened = advected.happened;

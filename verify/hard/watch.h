@@ -56,7 +56,7 @@ private:
 };
 
 /// A shape in a flow, and its exact shape at the end.
-struct Carried {
+struct Advected {
     std::string asked;
     std::vector<scenes::Outline> outlines;
     double h;
@@ -72,8 +72,8 @@ struct Carried {
 
 /// Runs it; all vertices must arrive. `more`: additional measures of the complex at the end.
 [[nodiscard]] HardResult
-carry(const Carried& advected,
-      const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
+advect(const Advected& advected,
+       const std::function<void(const Complex<double>&, HardResult&)>& more = nullptr);
 
 /// Records the error from the exact shape, the worst of several; fails if it is larger than
 /// allowed.

@@ -191,7 +191,7 @@ TEST(Boundaries, AreLeftByNoVertex) {
 
 // A cached star gives movement the same data as a new walk, wherever its vertices are by then; an
 // edit, which changes the centre's stamp, invalidates it.
-TEST(KeptStars, AreReadUntilTheyChange) {
+TEST(CachedStars, AreReadUntilTheyChange) {
     auto complex = test::grid<double>(4);
     const auto options = options_for<double>(1);
     Work<double> work(complex, options);

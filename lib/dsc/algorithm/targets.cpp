@@ -17,8 +17,8 @@ IntegratorStep<Real> step_of(Work<Real>& work) {
             trajectory.targets, trajectory.held, trajectory.dt};
 }
 
-// The number of the kept star of v, the next vertex in the interface list; no_id if there is none,
-// or it has changed.
+// The number of the cached star of v, the next vertex in the interface list; no_id if there is
+// none, or it has changed.
 template <class Real>
 std::uint32_t star_of(const Work<Real>& work, std::uint32_t v, std::uint32_t& next) {
     if (next == work.stars.size() || work.stars[next].vertex != v) {

@@ -89,7 +89,7 @@ bool has_valid_numbers(const FluidField& field) {
 
 } // namespace
 
-MeshSnapshot freeze(const Complex<double>& complex) {
+MeshSnapshot snapshot_of(const Complex<double>& complex) {
     MeshSnapshot mesh;
     mesh.vertex_bound = complex.vertex_bound();
     mesh.nodes.reserve(4 * std::size_t{mesh.vertex_bound});
@@ -111,13 +111,13 @@ MeshSnapshot freeze(const Complex<double>& complex) {
         is_first = false;
     }
     for (const Triangle t : triangles(complex)) {
-        SnapshotTriangle& frozen = mesh.triangles[compact[t.id]];
-        frozen.phase = complex.phase(t);
+        SnapshotTriangle& copy = mesh.triangles[compact[t.id]];
+        copy.phase = complex.phase(t);
         for (std::uint32_t i = 0; i < 3; ++i) {
             const Corner corner = corner_of(t.id, i);
-            frozen.nodes[i] = complex.vertex(corner);
-            frozen.across[i] = compact[triangle_of(complex.twin(corner))];
-            mesh.triangle_at[frozen.nodes[i]] = compact[t.id];
+            copy.nodes[i] = complex.vertex(corner);
+            copy.across[i] = compact[triangle_of(complex.twin(corner))];
+            mesh.triangle_at[copy.nodes[i]] = compact[t.id];
         }
     }
     for (const Edge e : edges(complex)) {

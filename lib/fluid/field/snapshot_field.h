@@ -40,7 +40,7 @@ struct MeshSnapshot {
 };
 
 /// A copy of the complex. O(n).
-[[nodiscard]] MeshSnapshot freeze(const Complex<double>& complex);
+[[nodiscard]] MeshSnapshot snapshot_of(const Complex<double>& complex);
 
 /// The area of a triangle. O(1).
 [[nodiscard]] double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle);
