@@ -56,17 +56,19 @@ CurvatureFlowOptions checked(CurvatureFlowOptions options) {
     if (twice != options.pairs.end()) {
         refuse_forces("a pair of phases is given twice", name_of(*twice), "each pair once");
     }
-    std::ranges::sort(options.walls, {}, &WallEnergy::phase);
-    for (const WallEnergy& wall : options.walls) {
-        if (wall.phase == border_phase || !std::isfinite(wall.energy)) {
-            refuse_forces("invalid energy of the wall under phase " + std::to_string(wall.phase),
-                          to_text(wall.energy), "a finite energy under a phase of the domain");
+    std::ranges::sort(options.boundary_energies, {}, &BoundaryEnergy::phase);
+    for (const BoundaryEnergy& one : options.boundary_energies) {
+        if (one.phase == border_phase || !std::isfinite(one.energy)) {
+            refuse_forces("invalid energy of the domain boundary under phase " +
+                              std::to_string(one.phase),
+                          to_text(one.energy), "a finite energy under a phase of the domain");
         }
     }
-    const auto wall_twice = std::ranges::adjacent_find(options.walls, {}, &WallEnergy::phase);
-    if (wall_twice != options.walls.end()) {
-        refuse_forces("a phase has two energies of the wall", std::to_string(wall_twice->phase),
-                      "each phase once");
+    const auto boundary_twice =
+        std::ranges::adjacent_find(options.boundary_energies, {}, &BoundaryEnergy::phase);
+    if (boundary_twice != options.boundary_energies.end()) {
+        refuse_forces("a phase has two energies of the domain boundary",
+                      std::to_string(boundary_twice->phase), "each phase once");
     }
     std::ranges::sort(options.kept_areas, {}, &KeptArea::phase);
     for (const KeptArea& kept : options.kept_areas) {
@@ -94,9 +96,10 @@ EdgeForces forces_between(const CurvatureFlowOptions& options, Phase left, Phase
                : EdgeForces{.tension = options.tension, .drag = 1 / options.mobility};
 }
 
-double wall_energy(const CurvatureFlowOptions& options, Phase phase) {
-    const auto found = std::ranges::lower_bound(options.walls, phase, {}, &WallEnergy::phase);
-    return found != options.walls.end() && found->phase == phase ? found->energy : 0.0;
+double boundary_energy(const CurvatureFlowOptions& options, Phase phase) {
+    const auto found =
+        std::ranges::lower_bound(options.boundary_energies, phase, {}, &BoundaryEnergy::phase);
+    return found != options.boundary_energies.end() && found->phase == phase ? found->energy : 0.0;
 }
 
 } // namespace
@@ -191,7 +194,7 @@ InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options) {
             std::unique_ptr<detail::CurvatureWork> work = spare->take();
             find_network(
                 view, [&](Phase left, Phase right) { return forces_between(options, left, right); },
-                [&](Phase phase) { return wall_energy(options, phase); }, work->network);
+                [&](Phase phase) { return boundary_energy(options, phase); }, work->network);
             work->extrapolate(options.kept_areas, static_cast<double>(dt), view.in_shares);
             for (std::size_t i = 0; i < displacements.size(); ++i) {
                 displacements[i] = {static_cast<Real>(work->first[i].x),

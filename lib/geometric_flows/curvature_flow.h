@@ -18,7 +18,7 @@ struct PairCurvature {
 };
 
 /// The energy of the domain boundary under a phase; 0 for phases that are not listed.
-struct WallEnergy {
+struct BoundaryEnergy {
     Phase phase = 0;   ///< at the domain boundary
     double energy = 0; ///< per length; only differences matter, so that it may be negative
 };
@@ -39,7 +39,7 @@ struct CurvatureFlowOptions {
     /// An interface meets the domain boundary at the contact angle of T. Young, "An essay on the
     /// cohesion of fluids" (1805): through phase a against phase b its cosine is the energy under b
     /// minus that under a, divided by the tension. Without these it is 90 degrees.
-    std::vector<WallEnergy> walls = {};
+    std::vector<BoundaryEnergy> boundary_energies = {};
     /// The curves of each of these phases also move at one speed along their normals, which is
     /// found such that the phase ends every sub-step with this area. An area that differs from the
     /// present one is reached in the next sub-step.
@@ -62,9 +62,9 @@ struct CurvatureFlowOptions {
 /// (2007), so that the tensions balance there (Young's law); the vertices of these curves slide
 /// along them without drag, and share the stretch. One step and two of half the length are
 /// extrapolated to second order in time. Curves that end at the domain boundary slide along it and
-/// meet it at 90 degrees, or at the angle that `walls` asks for. Locked vertices stay. A jagged
-/// start becomes smooth at once; set `interface.feature_degrees` to 180, or its corners are kept as
-/// features, which block junctions.
+/// meet it at 90 degrees, or at the angle that `boundary_energies` asks for. Locked vertices stay.
+/// A jagged start becomes smooth at once; set `interface.feature_degrees` to 180, or its corners
+/// are kept as features, which block junctions.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
 /// allocates. The threads of the step share the curves between junctions, and the step and the two

@@ -57,11 +57,12 @@ struct CurveNetwork {
 
 /// Builds the network, reusing its memory. Calls `forces_of(left, right)` for each edge between two
 /// phases; edges of the domain boundary get a tension that is negligible, and no drag: their
-/// vertices spread evenly between the curves that arrive there. `wall_energy(phase)` is the energy
-/// per length of the boundary under a phase, which pulls at the ends of curves. O(interface).
-template <class Real, class ForcesOf, class WallEnergy>
+/// vertices spread evenly between the curves that arrive there. `boundary_energy(phase)` is the
+/// energy per length of the boundary under a phase, which pulls at the ends of curves.
+/// O(interface).
+template <class Real, class ForcesOf, class EnergyUnder>
 void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
-                  const WallEnergy& wall_energy, CurveNetwork& network);
+                  const EnergyUnder& boundary_energy, CurveNetwork& network);
 
 /// The directions in which the vertex can move: none if it is locked or at a corner of the domain,
 /// along the boundary if it lies there, otherwise all. O(star) on the boundary, else O(1).
@@ -101,9 +102,9 @@ private:
     CurveSolver solver_;
 };
 
-template <class Real, class ForcesOf, class WallEnergy>
+template <class Real, class ForcesOf, class EnergyUnder>
 void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
-                  const WallEnergy& wall_energy, CurveNetwork& network) {
+                  const EnergyUnder& boundary_energy, CurveNetwork& network) {
     const std::size_t n = view.size();
     network.positions.clear();
     network.freedom.clear();
@@ -112,10 +113,10 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
     network.is_junction.assign(n, 0);
     network.is_between.assign(n, 0);
     const auto add = [&](std::size_t from, std::uint32_t to, Phase left, Phase right) {
-        constexpr EdgeForces wall{.tension = 1e-9, .drag = 0};
-        const bool is_wall = left == border_phase || right == border_phase;
+        constexpr EdgeForces on_boundary{.tension = 1e-9, .drag = 0};
+        const bool is_on_boundary = left == border_phase || right == border_phase;
         network.edges.push_back({static_cast<std::uint32_t>(from), to, left, right,
-                                 is_wall ? wall : forces_of(left, right)});
+                                 is_on_boundary ? on_boundary : forces_of(left, right)});
     };
     for (std::size_t i = 0; i < n; ++i) {
         network.positions.push_back(vector_of(view.positions[i]));
@@ -134,7 +135,7 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
             if (arm.left == border_phase || arm.right == border_phase) {
                 const Phase phase = arm.left == border_phase ? arm.right : arm.left;
                 const Vector2 way = network.positions[arm.neighbour] - network.positions[i];
-                pull += wall_energy(phase) * (way / norm(way));
+                pull += boundary_energy(phase) * (way / norm(way));
                 along_boundary += way / norm(way);
             }
             const bool is_along = arm.left == view.left[arm.neighbour];
@@ -150,7 +151,7 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
         }
         // The boundary beside the exterior phase has no arm; its direction is opposite to that of
         // the existing arm.
-        pull -= wall_energy(exterior_phase) * along_boundary;
+        pull -= boundary_energy(exterior_phase) * along_boundary;
         if (pull != Vector2{}) {
             network.ends.push_back({i, pull});
         }

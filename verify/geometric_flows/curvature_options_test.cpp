@@ -37,10 +37,13 @@ TEST(CurvatureFlowOptions, PairsAndPhasesAreOfTheDomainAndNamedOnce) {
     expect_refused({.pairs = {{.one = border_phase, .other = 1}}}, "no interface between");
     expect_refused({.pairs = {{.one = 1, .other = border_phase}}}, "no interface between");
     expect_refused({.pairs = {{.one = 1, .other = 2}, {.one = 2, .other = 1}}}, "given twice");
-    expect_refused({.walls = {{.phase = border_phase, .energy = 1}}}, "energy of the wall");
-    expect_refused({.walls = {{.phase = 1, .energy = infinity}}}, "energy of the wall");
-    expect_refused({.walls = {{.phase = 1}, {.phase = 1}}}, "two energies");
-    EXPECT_NO_THROW((void)curvature_flow<double>({.walls = {{.phase = 1, .energy = -1}}}));
+    expect_refused({.boundary_energies = {{.phase = border_phase, .energy = 1}}},
+                   "energy of the domain boundary");
+    expect_refused({.boundary_energies = {{.phase = 1, .energy = infinity}}},
+                   "energy of the domain boundary");
+    expect_refused({.boundary_energies = {{.phase = 1}, {.phase = 1}}}, "two energies");
+    EXPECT_NO_THROW(
+        (void)curvature_flow<double>({.boundary_energies = {{.phase = 1, .energy = -1}}}));
 }
 
 TEST(CurvatureFlowOptions, KeptAreasArePositive) {

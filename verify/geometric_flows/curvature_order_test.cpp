@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The orders of curvature flow in dt and in h where curves end: at triple junctions, at walls and
-// at contact angles. The area that a curve sweeps per unit of time is the angle by which its
-// direction changes from end to end, which is known as long as the ends keep their angles.
+// The orders of curvature flow in dt and in h where curves end: at triple junctions, at the domain
+// boundary and at contact angles. The area that a curve sweeps per unit of time is the angle by
+// which its direction changes from end to end, which is known as long as the ends keep their
+// angles.
 #include "support/interface_view_testing.h"
 #include "support/simulation_testing.h"
 
@@ -69,7 +70,7 @@ Bounded cap(double degrees, double h) {
     const std::vector<Curve> curves{
         arc_between({0.5, 0}, radius * std::sin(angle), angle, edges, 1, 1, 0)};
     return {initial_complex<double>({}, curves, {.edge_length = h}),
-            {.walls = {{1, -std::cos(angle)}}},
+            {.boundary_energies = {{1, -std::cos(angle)}}},
             -2 * angle};
 }
 
@@ -168,7 +169,7 @@ TEST(CurvatureOrder, IsThreeHalvesInTimeAtJunctions) {
     }
 }
 
-TEST(CurvatureOrder, IsTwoInTimeAtWallsAndThreeHalvesAtContactAngles) {
+TEST(CurvatureOrder, IsTwoInTimeAtTheBoundaryAndThreeHalvesAtContactAngles) {
     const InTime upright = in_time(cap(90, 0.01), 0.008, 8);
     EXPECT_GT(upright.order, 1.85);
     EXPECT_LT(std::abs(upright.error), 2e-3);

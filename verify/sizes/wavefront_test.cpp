@@ -114,7 +114,7 @@ TEST(WavefrontLimits, BothEndsOfAnOpenLinkCount) {
 
 // Vertex 0 gets its value late and only from vertex 1. The front from the boundary edge between 0
 // and 3 then reaches vertex 2 before any front along an edge.
-TEST(WavefrontLimits, AFrontFromAWallReachesTheMeshBesideIt) {
+TEST(WavefrontLimits, AFrontFromTheBoundaryReachesTheMeshBesideIt) {
     const std::vector<Point<double>> points{{0, 0}, {0.3, 0.02}, {-1, 1}, {-2, 0}};
     auto complex = test::build<double>(points, {{0, 1, 2}, {0, 2, 3}}, {0, 0});
     const std::vector<double> wanted{100, 1.0001, 100, 1};
