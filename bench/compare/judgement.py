@@ -73,8 +73,9 @@ def check(pairs):
     """Raises ValueError for fewer than FEWEST_PAIRS pairs and for times that are not positive numbers."""
     if len(pairs) < FEWEST_PAIRS:
         raise ValueError(f"{len(pairs)} pairs; at least {FEWEST_PAIRS} are needed")
-    if not all(0 < time < float("inf") for pair in pairs for time in pair):
-        raise ValueError("a time that is not a positive number")
+    for time in (time for pair in pairs for time in pair):
+        if not 0 < time < float("inf"):
+            raise ValueError(f"a time of {time} s; times must be finite and above 0")
 
 
 @functools.lru_cache(maxsize=None)

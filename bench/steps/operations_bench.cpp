@@ -265,7 +265,7 @@ void measure_kernel(benchmark::State& state, Run run, Check check) {
         benchmark::DoNotOptimize(result);
         state.SetIterationTime(watch.cpu());
         if (!check(complex, result)) {
-            throw InvariantError("the answer is wrong");
+            throw InvariantError("the timed function returns a wrong result");
         }
     }
     state.SetItemsProcessed(state.iterations() *

@@ -48,7 +48,7 @@ const VertexAttribute<FanRay<Real>>& rays_of(const Complex<Real>& complex) {
     if (rays == nullptr) {
         throw InputError({.what = "growth needs an executor made with growth_algorithm",
                           .where = "growth",
-                          .value = "a complex without its rays",
+                          .value = "an executor of another algorithm",
                           .allowed = "make_executor(..., growth_algorithm(complex, options)); in "
                                      "Python, dsc.Simulation(mesh, flow, ...)"});
     }

@@ -56,7 +56,8 @@ private:
     [[nodiscard]] const Complex<double>& mesh_of_solution() const {
         const Complex<double>& complex = mesh_->complex();
         if (mesh_->revision() != revision_) {
-            throw std::runtime_error("the mesh has changed since the fluid's last step");
+            throw std::runtime_error("the mesh has changed since the fluid's last step: "
+                                     "read the flow before the mesh is changed");
         }
         return complex;
     }

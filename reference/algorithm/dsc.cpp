@@ -127,13 +127,13 @@ StepCounts step(Complex& K, const Velocity& velocity, double time, double dt,
                 const Options& options) {
     const std::string where = "reference::step";
     if (!std::isfinite(time) || !std::isfinite(dt)) {
-        throw InputError({.what = "time or time step",
+        throw InputError({.what = "the time or the time step is not finite",
                           .where = where,
                           .value = std::to_string(time) + ", " + std::to_string(dt),
                           .allowed = "finite numbers"});
     }
     if (!(options.passes.edge_length > 0) || !(options.substep > 0)) {
-        throw InputError({.what = "edge length h or sub-step",
+        throw InputError({.what = "the edge length or the sub-step is not positive",
                           .where = where,
                           .value = std::to_string(options.passes.edge_length) + ", " +
                                    std::to_string(options.substep),

@@ -167,7 +167,7 @@ Complex make_complex(std::span<const Point<double>> points,
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y())) {
             throw InputError(
-                {.what = "coordinate of point " + std::to_string(i),
+                {.what = "a coordinate of point " + std::to_string(i) + " is not finite",
                  .where = where,
                  .value = std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()),
                  .allowed = "finite numbers"});
@@ -180,7 +180,7 @@ Complex make_complex(std::span<const Point<double>> points,
         const std::string value =
             std::to_string(a) + ", " + std::to_string(b) + ", " + std::to_string(c);
         if (a >= points.size() || b >= points.size() || c >= points.size()) {
-            throw InputError({.what = "vertices of " + name,
+            throw InputError({.what = "a vertex of " + name + " does not exist",
                               .where = where,
                               .value = value,
                               .allowed = "numbers below " + std::to_string(points.size())});

@@ -110,7 +110,7 @@ Frame choose_frame(const Point<double>& low, const Point<double>& high) {
     constexpr double least = 1e-290;
     if (!low.allFinite() || !(sides.minCoeff() > 0) || !(size >= least && size <= 1 / least)) {
         throw InputError(
-            {.what = "no frame for this box",
+            {.what = "the box is empty or out of range",
              .where = "choose_frame",
              .value = "a larger side of " + to_text(size),
              .allowed = "low below high, finite, and a larger side of 1e-290 to 1e290"});

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 namespace dsc::scenes {
 
@@ -14,13 +15,19 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
                  const Arguments& arguments, const RunOrigin& origin,
                  const std::optional<Checkpoint>& checkpoint) {
     const space::Scene& scene = file.scene;
-    if (arguments.strategy || arguments.threads || arguments.events || arguments.series ||
-        arguments.edits || arguments.pictures) {
-        throw InputError({.what = "not supported for scenes in three dimensions",
-                          .where = "run " + scene.name,
-                          .value = "another option",
-                          .allowed = "--set, --json, --frames, --every, --at, --checkpoint, "
-                                     "--resume and --stop-after"});
+    for (const auto& [is_given, option] : {std::pair(arguments.strategy.has_value(), "--strategy"),
+                                           {arguments.threads.has_value(), "--threads"},
+                                           {arguments.events.has_value(), "--events"},
+                                           {arguments.series.has_value(), "--series"},
+                                           {arguments.edits.has_value(), "--edits"},
+                                           {arguments.pictures.has_value(), "--pictures"}}) {
+        if (is_given) {
+            throw InputError({.what = "not supported for scenes in three dimensions",
+                              .where = "run " + scene.name,
+                              .value = option,
+                              .allowed = "--set, --json, --frames, --every, --at, --checkpoint, "
+                                         "--resume and --stop-after"});
+        }
     }
     check_files(arguments, origin, file.files);
     const Parameters parameters = with_settings(scene, origin.settings);

@@ -43,7 +43,7 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
         limit.most = reader.number(key, any);
     }
     if (!(limit.least <= limit.most)) {
-        reader.refuse(key, "bad value", "min of at most max");
+        reader.refuse(key, "bad value", "a min that is not above max");
     }
     return limit;
 }

@@ -23,8 +23,8 @@ constexpr std::array viridis{
     throw InputError({.what = what,
                       .where = "--pictures",
                       .value = "'" + names + "'",
-                      .allowed = "with commas between them, phases or quality; edges, "
-                                 "interface"});
+                      .allowed = "phases or quality, and edges and interface, with commas "
+                                 "between them"});
 }
 
 // From dark blue at 0 to yellow at 1, in 32 steps of equal lightness (the map viridis, readable by
@@ -55,7 +55,7 @@ Layers parse_layers(const std::string& names) {
         layers.insert(*layer);
     }
     if (layers.empty() || (layers.contains(Layer::phases) && layers.contains(Layer::quality))) {
-        refuse_layers(layers.empty() ? "no layers" : "triangles have one colour", names);
+        refuse_layers(layers.empty() ? "no layers" : "two layers that colour the triangles", names);
     }
     return layers;
 }

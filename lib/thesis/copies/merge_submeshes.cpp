@@ -114,7 +114,8 @@ void close_seams(CopiedSubmeshes<Real>& submeshes) {
             continue;
         }
         if (i + 2 < seams.size() && seams[i + 2].ends == seams[i].ends) {
-            throw InvariantError("merge_submeshes: more than two triangles at a shared edge");
+            throw InvariantError(
+                "merge_submeshes: an edge of two submeshes has more than two triangles");
         }
         triangles[triangle_of(a)].n[index_of(a)] = b;
         triangles[triangle_of(b)].n[index_of(b)] = a;

@@ -18,7 +18,12 @@ std::uint32_t call_place(const void* context, double x, double y) {
 template <class Real>
 PlacePartitioner<Real>::PlacePartitioner(PlaceFunction<Real> function, std::uint32_t recut)
     : function_(std::move(function)), recut_(recut) {
-    require(function_ != nullptr, "function", 0, "one that returns colours");
+    if (function_ == nullptr) {
+        throw InputError({.what = "null function",
+                          .where = "PlacePartitioner",
+                          .value = "null",
+                          .allowed = "a function that returns the colours"});
+    }
     require(recut >= 1, "recut", recut, "1 step or more");
 }
 
@@ -33,8 +38,13 @@ void PlacePartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
     std::vector<PlaceColour> colours = function_(input);
     require(!colours.empty(), "colours", 0, "1 or more");
     for (const PlaceColour& colour : colours) {
-        require(colour.number_of && colour.submeshes >= 1, "submeshes", colour.submeshes,
-                "1 or more, and a function that tells them apart");
+        require(colour.submeshes >= 1, "submeshes of a colour", colour.submeshes, "1 or more");
+        if (!colour.number_of) {
+            throw InputError({.what = "null function",
+                              .where = "PlaceColour::number_of",
+                              .value = "null",
+                              .allowed = "a function that returns the submesh of a place"});
+        }
     }
     colours_ = std::move(colours);
     partition.colours.assign(colours_.size(), {});

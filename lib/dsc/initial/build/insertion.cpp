@@ -67,7 +67,7 @@ WalkEnd locate(const Complex<Real>& complex, std::uint32_t start, const Point<Re
     const WalkEnd end = walk(complex, Triangle{start}, point, 8 * complex.triangles.size() + 64,
                              [&](Corner c) { return !is_constrained(complex, c); });
     if (end.kind == WalkEnd::Kind::lost) {
-        throw InvariantError("locate: the walk does not arrive");
+        throw InvariantError("initial_complex: no triangle found at " + to_text(point));
     }
     return end;
 }
@@ -76,7 +76,7 @@ template <class Real>
 std::uint32_t insert_point(Complex<Real>& complex, const WalkEnd& place, const Point<Real>& point,
                            std::vector<Corner>& stack) {
     if (place.kind == WalkEnd::Kind::stopped || place.kind == WalkEnd::Kind::lost) {
-        throw InvariantError("insert_point: the point was not located");
+        throw InvariantError("initial_complex: no place found for the point " + to_text(point));
     }
     if (place.kind == WalkEnd::Kind::vertex) {
         return complex.vertex(place.corner);

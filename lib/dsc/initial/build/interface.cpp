@@ -137,7 +137,9 @@ private:
             // just crossed.
             into = sign > 0 ? next(other) : prev(other);
         }
-        throw InvariantError("recover_segments: the walk to the other end failed");
+        throw InvariantError(
+            "initial_complex: the edges that cross a segment of the interface lead "
+            "to the domain boundary instead of its end");
     }
 
     void flip_away(std::uint32_t p, std::uint32_t q, std::deque<Pair>& edges) {
@@ -147,14 +149,16 @@ private:
         while (!edges.empty()) {
             if (patience-- == 0) {
                 throw InvariantError(
-                    "recover_segments: crossing edges remain after too many flips");
+                    "initial_complex: edges still cross a segment of the interface after the "
+                    "largest number of flips");
             }
             const auto [right, left] = edges.front();
             edges.pop_front();
             const Corner corner = complex_.find_half_edge(Vertex{right}, Vertex{left});
             const Corner other = corner == no_id ? border_corner : complex_.twin(corner);
             if (is_border(other)) {
-                throw InvariantError("recover_segments: a crossing edge is lost");
+                throw InvariantError("initial_complex: an edge that crosses a segment of the "
+                                     "interface lies on the domain boundary");
             }
             const std::uint32_t a = complex_.vertex(corner);
             const std::uint32_t d = complex_.vertex(other);

@@ -71,7 +71,7 @@ private:
                     complex_.find_half_edge(Vertex{chains[k][i]}, Vertex{chains[k][i + 1]});
                 if (left == no_id || is_border(complex_.twin(left))) {
                     throw InvariantError(
-                        "fill_phases: a piece of the interface is not an inner edge");
+                        "initial_complex: a segment of the interface is no edge inside the mesh");
                 }
                 barriers_.push_back({left, complex_.twin(left), k});
                 for (const Corner c : {barriers_.back().left, barriers_.back().right}) {
