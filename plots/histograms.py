@@ -28,7 +28,7 @@ COLUMNS = 3
 def groups(scenes, verify):
     """{(scene, quantity): {strategy: Histogram}}; a verify report counts before a scene's.
 
-    Of runs with different edge lengths, those of the length of most strategies.
+    If runs have different edge lengths, only those count whose length occurs in the most strategies.
     """
     result = {}
     for source in ([verify.histograms] if verify else []) + [scene.histograms for scene in scenes]:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Searches for inputs that break a promise of the library: builds the preset fuzz, then lets libFuzzer
+# Searches for inputs that break a guarantee of the library: builds the preset fuzz, then lets libFuzzer
 # search from the corpus and from what earlier searches have kept. See verify/fuzz/target.h.
 set -euo pipefail
 

@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # SPDX-License-Identifier: MIT
-# Set-up that bench/run.sh and verify/run.sh share; they source this file. It goes to the project's
-# root, then offers functions. Never asks a question; may be run any number of times.
+# Set-up that bench/run.sh and verify/run.sh share; they source this file. It changes to the
+# project's root and defines functions. It asks no questions and may be sourced any number of times.
 
 project_root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 cd -- "$project_root" || exit 2

@@ -67,10 +67,10 @@ struct CurvatureFlowOptions {
 /// are kept as features, which block junctions.
 ///
 /// O(interface) for each sub-step if junctions are few, in double precision whatever `Real` is; it
-/// allocates. The threads of the step share the curves between junctions, and the step and the two
-/// halves; the junctions and pressures of each of these are solved for by one thread. The function
-/// has no memory: simulations in several threads may share it. Throws InputError if an option is
-/// out of range.
+/// allocates. Threads share the curves between junctions, and the three solutions (of the whole
+/// step and of its two halves); one thread solves for the junctions and pressures of a solution.
+/// The function has no memory: simulations in several threads may share it. Throws InputError if an
+/// option is out of range.
 template <class Real>
 [[nodiscard]] InterfaceMotion<Real> curvature_flow(const CurvatureFlowOptions& options = {});
 

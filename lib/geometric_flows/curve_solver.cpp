@@ -21,10 +21,10 @@ Block inverse_of(const Block& block) {
     return {block.yy * scale, -block.xy * scale, -block.yx * scale, block.xx * scale};
 }
 
-/// Regularisation: areas are assumed to respond to their pressures by this share more than they do,
-/// and by the same share of their response through junctions. No pivot is then zero, even if only
-/// junctions surround a phase, or the areas of some phases always have the same sum. A shift
-/// afterwards corrects the areas.
+/// Regularisation: in the matrix each area responds to its own pressure more strongly than it
+/// really does, by this share of its response, along curves and through junctions alike. No pivot
+/// is then zero, even if only junctions surround a phase, or the areas of some phases always have
+/// the same sum. A shift afterwards corrects the areas.
 constexpr double softness = 1e-8;
 
 } // namespace

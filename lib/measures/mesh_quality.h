@@ -21,7 +21,7 @@ struct MeshQuality {
 template <class Real>
 [[nodiscard]] MeshQuality measure_quality(const Complex<Real>& complex);
 
-/// Only `min_quality` and `inverted` of the same. O(n).
+/// Only `min_quality` and `inverted`, without the angles. O(n).
 template <class Real>
 [[nodiscard]] MeshQuality measure_worst(const Complex<Real>& complex);
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads result files into plain records. An error of a file is one sentence.
+"""Reads result files into plain records. InputFault says in one sentence what is wrong with a file.
 
 Google Benchmark's JSON (a name is FAMILY/key:value/...; unknown parts are ignored), the JSON of
 dsc_scene and dsc_verify, and the published figures. Frames are read by load_frames.py.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Who is next to whom on the interface: loops, holes, junctions, and where the domain ends.
+// The neighbours of interface vertices along the interface: in loops, at holes and junctions, and
+// at the domain boundary.
 #include "dsc/algorithm/interface_sight.h"
 
 #include "support/interface_view_testing.h"

@@ -52,7 +52,7 @@ Point<double> drawn_by_springs(int corner, double time) {
            amplitude * decay(waves) * Point<double>(std::sin(waves * angle), 0);
 }
 
-// That polygon, and options by which none of its vertices comes or goes.
+// The polygon above, and options by which no vertex of it is inserted or removed.
 struct Wobbly {
     explicit Wobbly(Integrator integrator) : options(options_for<double>(coarse)) {
         std::vector<Point<double>> points;

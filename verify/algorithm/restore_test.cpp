@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A restore happens whole or not at all: bytes that are cut, damaged or of something else leave a
-// complex and a simulation as they were, and they go on to the same bits.
+// A restore happens whole or not at all: bytes that are truncated, damaged or of another kind leave
+// a complex and a simulation as they were, and further steps are bitwise identical.
 #include "support/courses.h"
 #include "support/topology/growing_discs.h"
 

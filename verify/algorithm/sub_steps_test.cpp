@@ -147,7 +147,7 @@ TEST_F(Turning, TheToleranceChoosesTheStep) {
         }
         EXPECT_LE(estimate, tolerance * 0.05);
         EXPECT_GE(steps, last_steps);
-        // What was estimated bounds what happened.
+        // The sum of the estimated errors bounds the error.
         EXPECT_LE(farthest_from_circle(complex, simulation), steps * tolerance * 0.05);
         first_steps = first_steps == 0 ? steps : first_steps;
         last_steps = steps;

@@ -58,7 +58,8 @@ std::vector<Point<double>> velocities(const Velocity& velocity, const Outline& a
     return result;
 }
 
-// The closed form, against the velocity that it integrates and against a fall without a surface.
+// The closed form of the path: its derivative is the velocity, and far above the surface it is a
+// uniform fall.
 TEST(Velocity, FallingComesToRestAtTheSurface) {
     const Falling fall{.surface = 0.3, .depth = 0.1, .speed = 2};
     const double d = 1e-6;

@@ -14,7 +14,7 @@ struct Steps {
     std::uint32_t threads = 0; ///< largest number used
 };
 
-/// Throws a Finding (target.h) if a promise is broken.
+/// Throws a Finding (target.h) if a guarantee is broken.
 Steps try_steps(std::span<const std::uint8_t> bytes);
 
 } // namespace dsc::fuzz

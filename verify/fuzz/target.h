@@ -15,7 +15,7 @@
 
 namespace dsc::fuzz {
 
-/// A broken promise of the library.
+/// A broken guarantee of the library.
 class Finding : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

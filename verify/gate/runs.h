@@ -66,7 +66,7 @@ struct Outcome {
 };
 
 /// Starts the runs at once, in this order; the results do not depend on the number of parallel
-/// runs. The destructor waits for running ones and skips the others.
+/// runs. The destructor waits for those that have started and does not start the others.
 class Runs {
 public:
     Runs(const std::vector<Configuration>& configurations, int jobs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random scenes, options and divisions: the same bits, ids, data and edits for any number of
-// threads.
+// Random scenes, options and divisions: coordinates, ids, data and edits are bitwise identical for
+// any number of threads.
 #include "fuzz/steps.h"
 
 #include <gtest/gtest.h>

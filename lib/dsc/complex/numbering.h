@@ -29,8 +29,9 @@ struct Renumbering {
 /// 2; attributes are permuted with their simplices. All earlier handles and corners become invalid.
 /// The new order depends on the old one only where vertices coincide or triangles begin at another
 /// of their corners. O(n log n); works in place, with 16 extra bytes per vertex and 8 per triangle
-/// (and the copy of one attribute at a time). Noted in the journal: a simulation of this complex
-/// adopts the new ids before its next step; must not be called during a step.
+/// (and the copy of one attribute at a time). The journal notes the renumbering, so that a
+/// simulation of this complex adopts the new ids before its next step. Must not be called during a
+/// step.
 template <class Real>
 Renumbering renumber(Complex<Real>& complex);
 

@@ -159,8 +159,8 @@ struct InitialOptions {
 /// clipped.
 ///
 /// Each edge longer than `edge_length` is cut into ceil(length / edge_length) equal pieces; all
-/// vertices at edges of at least 0.2 `edge_length` keep the same bits (for float: as rounded),
-/// except those within `InitialOptions::border_tolerance` of another shape or a side.
+/// vertices at edges of at least 0.2 `edge_length` keep their coordinates exactly (for float: as
+/// rounded), except those within `InitialOptions::border_tolerance` of another shape or a side.
 /// `InitialOptions::detail` decides what happens to finer detail; `report` counts what was left
 /// out.
 ///
@@ -168,7 +168,7 @@ struct InitialOptions {
 /// small as the targets of their vertices.
 ///
 /// Time and memory: O(1) per triangle, plus O(n log n) for the n vertices of the cut outlines, and
-/// for those of the complex where edges grow. The same input gives the same bits.
+/// for those of the complex where edges grow. The same input gives bitwise identical results.
 ///
 /// \throw InputError if a coordinate, the edge length or a size is out of range, outlines cross,
 /// shapes overlap of which none lies in the other, a shape of `exterior_phase` lies in no other, or
@@ -200,7 +200,7 @@ Complex<Real> initial_complex(const Polygon& domain, std::span<const Shape> shap
 /// coordinates of other ends: three and more make a junction. Edges are cut, and detail finer than
 /// the mesh is treated, as for outlines; but ends and closed curves of any size are kept.
 ///
-/// Time and memory, and the same bits for the same input: as above.
+/// Time, memory and reproducibility: as above.
 ///
 /// \throw InputError if a coordinate, the edge length or a size is out of range; a curve has too
 /// few points, an edge without length, one phase on both sides or a reserved one; a point lies

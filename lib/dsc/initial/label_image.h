@@ -30,7 +30,7 @@ struct LabelImage {
 /// lengths into their neighbours. `InputReport::dropped` counts merged grains.
 ///
 /// Time and memory: O(n log n) for n pixels, and those of the complex of curves. The same image
-/// gives the same bits.
+/// gives bitwise identical results.
 ///
 /// \throw InputError where the image has no pixels or too many, the number of labels does not fit,
 /// a label is reserved, or `initial_complex` refuses the domain or the options.

@@ -23,7 +23,7 @@ enum class BoundaryRule : std::uint8_t { exact, smooth };
 
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
 /// An interface vertex may be merged along its interface, a boundary vertex along the boundary.
-/// O(degree). Exact, but for the smooth rule.
+/// O(degree). The tests are exact, except that of `BoundaryRule::smooth`.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept,

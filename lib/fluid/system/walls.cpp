@@ -66,8 +66,8 @@ void add(AtNode& at, const WallEdge& edge, const MeshSnapshot& mesh, bool is_aft
     }
 }
 
-// Nothing flows through the edges if the normal at their common node is weighted by their lengths:
-// that of the line between their other ends.
+// The total flow through the two edges at a node is zero if the normal at the node is their mean,
+// weighted by length: the normal of the line between the other ends of the edges.
 WallNode slipping(std::uint32_t node, const AtNode& at, const MeshSnapshot& mesh) {
     const bool has_two = at.slips[0] && at.slips[1];
     const Point<double> way = has_two ? Point<double>(*at.slips[0] + *at.slips[1])

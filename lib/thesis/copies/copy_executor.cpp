@@ -53,8 +53,8 @@ template <class Real>
 MoveReport CopyExecutor<Real>::move() {
     MoveReport report;
     report.held = this->begin_movement();
-    // Algorithm 6.3: the mesh is divided again until nothing is deferred, except what neither
-    // colour can do. A vertex that is blocked although nothing is deferred stays blocked.
+    // Algorithm 6.3: the mesh is divided again until nothing is deferred, except operations that
+    // neither colour can do. A vertex that is blocked although nothing is deferred stays blocked.
     const bool is_left = run_round(RedBlack::red, report) && run_round(RedBlack::black, report);
     Timer timer;
     if (is_left) {
