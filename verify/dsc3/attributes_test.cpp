@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Attributes in three dimensions follow every edit, and checkpoints go on to the same bits.
+// Attributes in three dimensions follow every edit, and runs resumed from checkpoints are bitwise
+// identical.
 #include "dsc/complex/numbering.h"
 #include "dsc3/dsc3.h"
 
@@ -42,7 +43,8 @@ std::string bytes_of(Simulation& simulation) {
 
 TEST(Attributes3, FollowEveryEdit) {
     Complex complex = ball_complex();
-    // On the interface, what the flow takes along; beside it, whether the value fits the phase.
+    // `height` is advected by the flow; `phase` shows whether the value of a tet fits the tet's
+    // phase.
     auto& height = complex.attributes.add<Vertex>("height", 0.0);
     auto& phase = complex.attributes.add<Tet>("phase", std::int32_t{-1});
     for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
@@ -167,7 +169,8 @@ TEST(Checkpoints3, AreReadWholeOrNotAtAll) {
     for (std::size_t i = 0; i < 100; ++i) {
         EXPECT_TRUE(refuse(good.substr(0, good.size() * i / 100))) << "cut at " << i << " %";
     }
-    // A changed bit is refused, or makes another complex that is valid: one of a coordinate.
+    // Bytes with a changed bit are refused, or, if it is a bit of a coordinate, may hold another
+    // valid complex.
     int refused = 0;
     for (std::size_t i = 0; i < 100; ++i) {
         std::string bad = good;

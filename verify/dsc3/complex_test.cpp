@@ -17,7 +17,8 @@ TEST(Geometry3, OrientationIsExact) {
     EXPECT_EQ(orientation(a, b, c, {0.25, 0.25, 0}), 0);
     EXPECT_EQ(orientation(a, b, c, {0, 0, std::nan("")}), 0);
     EXPECT_EQ(orientation(a, b, c, {0.1, 0.7, 1e-300}), 1);
-    // On the plane x + y + z = 3 u up to one unit in the last place, far from the origin.
+    // Far from the origin: a point on the plane x + y + z = 3 u, moved to either side by one unit
+    // in the last place.
     const double u = 1e6 / 3;
     const Point p(u + 1, u - 1, u);
     const Point q(u, u + 1, u - 1);
@@ -108,7 +109,8 @@ TEST(Complex3, ArraysThatMakeNoComplexAreRefused) {
     EXPECT_THROW(make({{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 5}}, 6, 0), InputError);
 }
 
-// Each fault is of another kind; all but one leave the others' checks nothing to find.
+// Each fault is of another kind and breaks only one of the checks, except one fault that breaks
+// several.
 TEST(Validate3, NoticesEveryKindOfFault) {
     const Complex good = random_mesh(3);
     ASSERT_TRUE(validate(good).ok());
@@ -134,7 +136,7 @@ TEST(Validate3, NoticesEveryKindOfFault) {
     EXPECT_NE(problem([](Complex& c) { c.free_tets.push_back(5); }), "");
     EXPECT_NE(problem([&](Complex& c) { c.vertices[inner].flags ^= vertex_interface; }), "");
     EXPECT_NE(problem([&](Complex& c) { c.vertices[inner].flags ^= vertex_boundary; }), "");
-    // A tet that is not there any more leaves a hole.
+    // A removed tet leaves a hole.
     EXPECT_NE(problem([](Complex& c) {
                   const auto n = c.tets[5].n;
                   for (const Corner other : n) {
@@ -145,7 +147,7 @@ TEST(Validate3, NoticesEveryKindOfFault) {
                   c.give_tet(5);
               }),
               "");
-    // The boundary is no longer that of a box.
+    // A moved boundary vertex: the boundary is no longer that of a box.
     const auto p = problem([](Complex& c) {
         for (std::uint32_t v = 0; v < c.vertex_bound(); ++v) {
             if (c.at(v) == Point(2, 2, 0)) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Operations in three dimensions on random complexes: a refused one changes nothing, and after each
-// that is done the complex is valid, its phases keep their topology, and their volumes unless the
-// interface was to change.
+// Operations in three dimensions on random complexes: a refused operation changes nothing; a legal
+// one leaves a valid complex whose phases keep their topology, and also their volumes unless the
+// operation changes the interface.
 #include "dsc/base/verdict.h"
 #include "dsc3/random_mesh.h"
 #include "support/environment.h"
@@ -35,7 +35,8 @@ struct Pick {
     }
 };
 
-// Runs an operation of random arguments many times on many complexes; how often it was done.
+// Runs an operation with random arguments many times on many complexes. Returns how often it was
+// legal.
 template <class Operation>
 std::uint64_t run(Operation operation) {
     std::uint64_t done = 0;

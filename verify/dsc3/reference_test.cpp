@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A literal reference for the guards: a complex as a list of tets without any order, in which each
-// question is answered by going through all of them, and what an operation would leave is made and
-// looked at as a whole.
+// A literal reference for the guards: a complex is an unordered list of tets; each question is
+// answered by a search of the whole list, and to decide whether an operation is legal the complex
+// after it is made and checked as a whole.
 #include "dsc3/geometry/tet.h"
 #include "dsc3/random_mesh.h"
 #include "support/environment.h"
@@ -137,7 +137,8 @@ Real worst(const Complex& complex, const Tets& tets) {
 // Whether a quality is so near to its limit that rounding may decide.
 bool is_near(Real quality, Real limit) { return std::abs(quality - limit) < 1e-9; }
 
-// Asks the same of the guard and of the reference, which gives nothing where rounding may decide.
+// The reference's answer whether an operation is legal, with which the guard's is compared; empty
+// where rounding may decide.
 using Answer = std::optional<bool>;
 struct Asked {
     int legal = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes to begin with: distances that are known, and surfaces of triangles.
+// Initial shapes: known distance functions, and closed surfaces of triangles.
 #include "dsc3/dsc3.h"
 
 #include <gtest/gtest.h>

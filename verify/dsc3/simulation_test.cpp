@@ -25,7 +25,7 @@ Velocity uniform(const Point& v) {
     };
 }
 
-// How far the vertices of the interface are from the sphere about c, at most.
+// The largest distance of an interface vertex from the sphere around c.
 double farthest(const Complex& complex, const Simulation& simulation, const Point& c) {
     double most = 0;
     for (const std::uint32_t v : simulation.interface()) {
@@ -89,7 +89,7 @@ TEST(Initial3, RefusesWhatItCannotBegin) {
 }
 
 TEST(Motion3, IntegratorsHaveTheirOrder) {
-    // A rotation that speeds up in time, about an axis that is none of the coordinates'.
+    // A rotation that accelerates, about an axis that is not parallel to a coordinate axis.
     const Point axis = Point(1, 2, 2) / 3.0;
     const Velocity velocity = [&](std::span<const Point> p, double t, std::span<Point> w) {
         for (std::size_t i = 0; i < p.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces from files: of our own, and as other programs write them.
+// Surfaces read from files that this library writes, and from files as other programs write them.
 #include "dsc3/dsc3.h"
 #include "surface_files/surface_files.h"
 
@@ -39,7 +39,8 @@ double volume_of(const std::string& path, double h) {
     return phase_volume(complex, 1);
 }
 
-// A box of six faces with four corners each, in an order that winds outward, or its lid left off.
+// A box of six quadrilaterals whose corners are counter-clockwise seen from outside; without its
+// lid if `has_lid` is false.
 std::string box_as_obj(bool has_lid) {
     return std::string("# a box\no box\n") +
            "v 0.2 0.2 0.3\nv 0.8 0.2 0.3\nv 0.8 0.8 0.3\nv 0.2 0.8 0.3\n"

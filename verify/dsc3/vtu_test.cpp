@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of tets and of the interface say what is in them.
+// The contents of VTU files of tets, and of VTU and PLY files of the interface.
 #include "dsc3/dsc3.h"
 
 #include <gtest/gtest.h>
