@@ -109,8 +109,7 @@ TEST(Complex3, ArraysThatMakeNoComplexAreRefused) {
     EXPECT_THROW(make({{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 3, 5}}, 6, 0), InputError);
 }
 
-// Each fault is of another kind and breaks only one of the checks, except one fault that breaks
-// several.
+// Each fault is of another kind and fails only one check, except one fault that fails several.
 TEST(Validate3, NoticesEveryKindOfFault) {
     const Complex good = random_mesh(3);
     ASSERT_TRUE(validate(good).ok());
