@@ -116,8 +116,8 @@ template <class Real>
         const Real* y = star.y.data() + first;
         const Real* x_next = star.x_next.data() + first;
         const Real* y_next = star.y_next.data() + first;
-        Real least = std::numeric_limits<Real>::max();
-#pragma omp simd reduction(min : least)
+        Real smallest = std::numeric_limits<Real>::max();
+#pragma omp simd reduction(min : smallest)
         for (std::uint32_t i = 0; i < Star<Real>::lanes; ++i) {
             const Real ax = x[i] - x0;
             const Real ay = y[i] - y0;
@@ -128,9 +128,9 @@ template <class Real>
             const Real cy = by - ay;
             const Real longest =
                 std::max(std::max(ax * ax + ay * ay, bx * bx + by * by), cx * cx + cy * cy);
-            least = std::min(least, doubled * doubled - contact_squared * longest);
+            smallest = std::min(smallest, doubled * doubled - contact_squared * longest);
         }
-        if (least < 0) {
+        if (smallest < 0) {
             return true;
         }
     }

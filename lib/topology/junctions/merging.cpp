@@ -88,7 +88,7 @@ private:
     // triangle, or a neighbour of both ends. Accepts poor triangles if the edge cannot be collapsed
     // otherwise.
     bool make_room(bool either, Real quality_so_far) {
-        const Real least = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
+        const Real min_quality = quality_so_far > 0 ? static_cast<Real>(poor_squared) : Real(0);
         for (const bool is_first : {true, false}) {
             if (!is_first && !either) {
                 continue;
@@ -106,8 +106,8 @@ private:
             if (at_worst != no_id) {
                 const std::array ends{complex_.vertex(next(at_worst)),
                                       complex_.vertex(prev(at_worst))};
-                if (remove_inside(work_, Vertex{ends[0]}, least) ||
-                    remove_inside(work_, Vertex{ends[1]}, least)) {
+                if (remove_inside(work_, Vertex{ends[0]}, min_quality) ||
+                    remove_inside(work_, Vertex{ends[1]}, min_quality)) {
                     return true;
                 }
             }
@@ -155,13 +155,13 @@ Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either) {
 }
 
 template <class Real>
-bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least) {
+bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
     Complex<Real>& complex = work.complex;
     Star<Real> star;
     if (!gather(complex, Region{}, vertex.id, star) || !star.one_phase || !star.closed) {
         return false;
     }
-    Real best = least;
+    Real best = min_quality;
     std::uint32_t heir = no_id;
     for (std::uint32_t i = 0; i < star.size; ++i) {
         const Real after = star.size > 3 ? worst_quality_squared_after_collapse(star, i) : 1;

@@ -14,8 +14,8 @@ template <class Real>
 [[nodiscard]] Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either);
 
 /// Collapses a vertex inside a phase into the neighbour that leaves the best triangles. Returns
-/// false if no collapse leaves a squared quality above `least`. O(degree squared).
+/// false if no collapse leaves a squared quality above `min_quality`. O(degree squared).
 template <class Real>
-bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real least);
+bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 
 } // namespace dsc

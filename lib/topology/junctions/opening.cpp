@@ -56,8 +56,8 @@ public:
     Corner on_boundary(bool is_first, Real length) {
         const std::size_t last = link_.size() - 1;
         const Point<Real> way = way_to(is_first ? 0 : last);
-        const Real most = way.norm();
-        const Real share = std::min(length, room(Point<Real>(way / most)) / 2) / most;
+        const Real way_length = way.norm();
+        const Real share = std::min(length, room(Point<Real>(way / way_length)) / 2) / way_length;
         const Corner edge = is_first ? prev(corner_to(link_[0])) : next(corner_to(link_[last - 1]));
         std::uint32_t made = no_id;
         for (const Real factor : {share, std::min(share, Real(0.5)), std::min(share, Real(0.25))}) {
@@ -125,16 +125,16 @@ private:
     // The largest distance in this unit direction at which all edges of the link are still on the
     // left.
     Real room(const Point<Real>& way) const {
-        Real least = std::numeric_limits<Real>::max();
+        Real smallest = std::numeric_limits<Real>::max();
         for (std::size_t i = 0; i + 1 < link_.size(); ++i) {
             const Point<Real> from = way_to(i);
             const Point<Real> edge = way_to(i + 1) - from;
             const Real rate = cross<Real>(way, edge);
             if (rate > 0) {
-                least = std::min(least, cross<Real>(from, edge) / rate);
+                smallest = std::min(smallest, cross<Real>(from, edge) / rate);
             }
         }
-        return least;
+        return smallest;
     }
 
     // The other end of the edge becomes the new vertex.
