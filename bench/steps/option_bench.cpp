@@ -60,7 +60,7 @@ public:
         hash_ = mesh_hash(complex);
     }
     /// The sum of the shortest times of all steps, in seconds.
-    [[nodiscard]] double least() const { return std::accumulate(min_.begin(), min_.end(), 0.0); }
+    [[nodiscard]] double shortest() const { return std::accumulate(min_.begin(), min_.end(), 0.0); }
     [[nodiscard]] std::size_t steps() const { return min_.size(); }
     /// Seconds of each run.
     [[nodiscard]] const std::vector<double>& sums() const { return sums_; }
@@ -84,7 +84,7 @@ void measure(benchmark::State& state, const Comparison& c) {
             (round % 2 == 0 ? without : with).run();
             (round % 2 == 0 ? with : without).run();
         }
-        state.SetIterationTime(with.least());
+        state.SetIterationTime(with.shortest());
     }
     if (c.same_mesh && with.hash() != without.hash()) {
         throw InvariantError("the option changes the mesh");
@@ -95,11 +95,11 @@ void measure(benchmark::State& state, const Comparison& c) {
     }
     std::sort(ratios.begin(), ratios.end());
     const auto steps = static_cast<double>(with.steps());
-    state.counters["ratio"] = with.least() / without.least();
+    state.counters["ratio"] = with.shortest() / without.shortest();
     state.counters["ratio_low"] = ratios[ratios.size() / 4];
     state.counters["ratio_high"] = ratios[ratios.size() * 3 / 4];
-    state.counters["us_per_step"] = with.least() * 1e6 / steps;
-    state.counters["us_per_step_without"] = without.least() * 1e6 / steps;
+    state.counters["us_per_step"] = with.shortest() * 1e6 / steps;
+    state.counters["us_per_step_without"] = without.shortest() * 1e6 / steps;
     state.SetLabel("shortest times of " + std::to_string(rounds) + " alternating runs each");
 }
 

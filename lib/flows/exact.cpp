@@ -160,7 +160,7 @@ int half_of_steps(const ParametricCurve& curve, const Flow& flow, double time) {
         first[static_cast<std::size_t>(i)] = curve.point(static_cast<double>(i) / pilots);
     }
     const double tolerance = same_place * std::sqrt(curve.area);
-    const double most = std::clamp(16.0 * time, 200.0, 1e5);
+    const double max_steps = std::clamp(16.0 * time, 200.0, 1e5);
     for (int steps = 8;; steps += steps / 2) {
         Outline rough = first;
         Outline fine = first;
@@ -169,7 +169,7 @@ int half_of_steps(const ParametricCurve& curve, const Flow& flow, double time) {
         const auto is_same = [&](const Point<double>& p, const Point<double>& q) {
             return length(p - q) <= tolerance;
         };
-        if (steps >= most || std::equal(rough.begin(), rough.end(), fine.begin(), is_same)) {
+        if (steps >= max_steps || std::equal(rough.begin(), rough.end(), fine.begin(), is_same)) {
             return steps;
         }
     }

@@ -133,12 +133,12 @@ double first_arrival(const GrowingDiscs& discs, const Point<double>& p) {
 // The extent of a disc's cell from its centre in a direction. The fronts of two discs that grow at
 // one speed meet on a hyperbola about their centres.
 double reach(const GrowingDiscs& discs, std::size_t i, const Point<double>& towards, double time) {
-    double least = discs.radii[i] + std::max(0.0, time - discs.start(i));
+    double smallest = discs.radii[i] + std::max(0.0, time - discs.start(i));
     const Point<double>& centre = discs.centres[i];
     for (int axis = 0; axis < 2; ++axis) { // the sides of the square
         if (towards[axis] != 0) {
             const double side = towards[axis] > 0 ? 1 : 0;
-            least = std::min(least, (side - centre[axis]) / towards[axis]);
+            smallest = std::min(smallest, (side - centre[axis]) / towards[axis]);
         }
     }
     for (std::size_t j = 0; j < discs.radii.size(); ++j) {
@@ -146,10 +146,10 @@ double reach(const GrowingDiscs& discs, std::size_t i, const Point<double>& towa
         const double lead = discs.start(i) - discs.radii[i] - discs.start(j) + discs.radii[j];
         const double closing = towards.dot(way) + lead;
         if (j != i && closing > 0) {
-            least = std::min(least, (way.squaredNorm() - lead * lead) / (2 * closing));
+            smallest = std::min(smallest, (way.squaredNorm() - lead * lead) / (2 * closing));
         }
     }
-    return least;
+    return smallest;
 }
 
 } // namespace

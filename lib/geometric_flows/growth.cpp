@@ -105,11 +105,11 @@ private:
                                        Real speed) const {
         const Point<Real> sum = n + m;
         const Real size = sum.norm(); // twice the cosine of half the turn
-        const Real most = static_cast<Real>(options_.max_notch);
-        if (size * most > 2) {
+        const Real max = static_cast<Real>(options_.max_notch);
+        if (size * max > 2) {
             return (2 * speed / (size * size)) * sum;
         }
-        return size > 0 ? Point<Real>((speed * most / size) * sum) : Point<Real>(speed * n);
+        return size > 0 ? Point<Real>((speed * max / size) * sum) : Point<Real>(speed * n);
     }
 
     [[nodiscard]] Point<Real> of_feature(std::size_t i, Real speed) const {
@@ -155,8 +155,8 @@ private:
             velocity = right; // a single sheet, or a straight line
         }
         const Real size = velocity.norm();
-        const Real most = static_cast<Real>(options_.max_notch) * fastest;
-        return size > most ? Point<Real>(most / size * velocity) : velocity;
+        const Real max = static_cast<Real>(options_.max_notch) * fastest;
+        return size > max ? Point<Real>(max / size * velocity) : velocity;
     }
 
     const GrowthOptions<Real>& options_;

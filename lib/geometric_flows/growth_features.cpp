@@ -117,8 +117,8 @@ private:
     // move.
     [[nodiscard]] Real reach(const GrowthBend<Real>& notch) const {
         const Real half = std::abs(notch.turn) / 2;
-        const Real most = lengths(work_.options.sub_step) * std::cos(half);
-        return (std::min(way(notch.speed), most) + lengths(margin)) * std::tan(half);
+        const Real max = lengths(work_.options.sub_step) * std::cos(half);
+        return (std::min(way(notch.speed), max) + lengths(margin)) * std::tan(half);
     }
 
     // Whether the vertex blocked a notch at the end of one of its edges and has been removed. Also

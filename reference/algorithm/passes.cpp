@@ -110,15 +110,15 @@ double quality_if_moved(const Complex& K, const TriangleKey& t, Vertex v, const 
 
 /// The smallest quality around `v` after its collapse into `w`; 0 if a triangle would invert.
 double quality_if_collapsed(const Complex& K, Vertex v, Vertex w) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const TriangleKey& t : K.triangles_at(v)) {
         if (has_vertex(t, w))
             continue;
         if (orientation_if(K, t, v, K.coord(w)) <= 0)
             return 0;
-        least = std::min(least, quality_if_moved(K, t, v, K.coord(w)));
+        smallest = std::min(smallest, quality_if_moved(K, t, v, K.coord(w)));
     }
-    return least;
+    return smallest;
 }
 
 /// Collapses the edge of a poor triangle that leaves the best star, if that is better than the

@@ -37,11 +37,11 @@ double quality(const Complex& K, const TriangleKey& t) {
 }
 
 double star_quality(const Complex& K, Vertex v) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const TriangleKey& t : K.triangles_at(v)) {
-        least = std::min(least, quality(K, t));
+        smallest = std::min(smallest, quality(K, t));
     }
-    return least;
+    return smallest;
 }
 
 double delaunay(const Complex& K, const EdgeKey& e) {

@@ -214,11 +214,11 @@ TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
     complex.set_position(victim, near + 0.06 * (complex.position(victim) - near));
     ASSERT_EQ(validate(complex).problem, "");
     const auto worst = [&] {
-        double least = 1;
+        double smallest = 1;
         for (const Triangle t : triangles(complex)) {
-            least = std::min(least, quality(complex, t));
+            smallest = std::min(smallest, quality(complex, t));
         }
-        return least;
+        return smallest;
     };
     const double spoilt = worst();
     ASSERT_LT(spoilt, 0.2);

@@ -148,12 +148,12 @@ TEST(Steps, ThatAreRefusedSayWhichValueIsWrongAndChangeNothing) {
         return std::string("not refused");
     };
     const double infinity = std::numeric_limits<double>::infinity();
-    const double most = std::numeric_limits<double>::max();
+    const double largest = std::numeric_limits<double>::max();
     EXPECT_EQ(refused(std::nan(""), 0.25), "time nan, dt 0.25");
     EXPECT_EQ(refused(-infinity, 0.25), "time -inf, dt 0.25");
     EXPECT_EQ(refused(0.25, std::nan("")), "time 0.25, dt nan");
     EXPECT_EQ(refused(0.25, -1), "time 0.25, dt -1");
-    EXPECT_EQ(refused(most, most), "time " + to_text(most) + ", dt " + to_text(most));
+    EXPECT_EQ(refused(largest, largest), "time " + to_text(largest) + ", dt " + to_text(largest));
 }
 
 // Vertices run to and fro across the jump: no step is short enough for the tolerance to hold.

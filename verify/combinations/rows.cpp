@@ -102,7 +102,7 @@ std::optional<Values> draw_row(const Combination& combination, std::span<const C
     constexpr int candidates = 30;
     constexpr int draws = 20'000; // at worst, one in a few thousand is meaningful
     std::optional<Values> best;
-    std::ptrdiff_t most = 0;
+    std::ptrdiff_t largest = 0;
     for (int draw = 0, found = 0; draw < draws && found < candidates; ++draw) {
         Values row;
         for (std::size_t i = 0; i < row.size(); ++i) {
@@ -118,9 +118,9 @@ std::optional<Values> draw_row(const Combination& combination, std::span<const C
         ++found;
         const auto closed =
             std::ranges::count_if(open, [&](const auto& one) { return stands_in(one, row); });
-        if (closed > most) {
+        if (closed > largest) {
             best = row;
-            most = closed;
+            largest = closed;
         }
     }
     return best;

@@ -45,10 +45,10 @@ constexpr double spacing = 0.27; ///< of vertices on arcs, at most, in edge leng
 // An arc of the shape, from one angle to another; with Outline::corners, its corners are at most 60
 // degrees apart, or 45 on short arcs.
 std::vector<P> arc(const Shape& shape, double radius, double from, double to, Outline outline) {
-    const double most = to - from < 0.55 * pi ? pi / 4 : pi / 3;
+    const double largest = to - from < 0.55 * pi ? pi / 4 : pi / 3;
     const int n = outline == Outline::round
                       ? static_cast<int>(std::ceil(radius * (to - from) / (spacing * shape.h)))
-                      : static_cast<int>(std::ceil((to - from) / most - 1e-9));
+                      : static_cast<int>(std::ceil((to - from) / largest - 1e-9));
     std::vector<P> points;
     for (int i = 0; i <= n; ++i) {
         const double angle = from + (to - from) * i / n;

@@ -97,8 +97,8 @@ Tolerance meeting(const Row& row, const Scene& scene, double length) {
 
 // `length` is that of the curve, in edge lengths.
 Tolerance tolerance_of(const Row& row, const Scene& scene, double length, std::size_t sub_steps) {
-    const double least = rounding(row, scene, sub_steps);
-    Tolerance all{least, least};
+    const double smallest = rounding(row, scene, sub_steps);
+    Tolerance all{smallest, smallest};
     all += chords(row, scene);
     all += meeting(row, scene, length);
     return all;
@@ -297,11 +297,11 @@ std::vector<std::string> problems_of(const Row& row, double fineness) {
     if (!problems.empty()) {
         return problems;
     }
-    const std::uint32_t most = row.way == Way::sequential ? 2 : 3;
-    for (std::uint32_t threads = 2; threads <= most; ++threads) {
+    const std::uint32_t largest = row.way == Way::sequential ? 2 : 3;
+    for (std::uint32_t threads = 2; threads <= largest; ++threads) {
         const std::string of = std::to_string(threads) + " threads";
         // In single precision, products of the lengths of vanishing edges would underflow.
-        const bool is_rescaled = threads == most && row.precision == Precision::in_double;
+        const bool is_rescaled = threads == largest && row.precision == Precision::in_double;
         const Scene again = is_rescaled ? in_units(scene, 0x1p-40, 0x1p-7) : scene;
         const Outcome other = run_row(row, again, {.threads = threads, .is_resumed = threads == 2});
         if (other.hash != first.hash) {

@@ -29,12 +29,12 @@ TEST(RingLimits, BeyondTheEndsOfAnOpenStarLiesTheBorder) {
 }
 
 TEST(RingLimits, AStarOfOneTriangleTooManyIsNotGathered) {
-    constexpr auto most = static_cast<std::uint32_t>(Star<double>::capacity);
+    constexpr auto largest = static_cast<std::uint32_t>(Star<double>::capacity);
     Star<double> star;
-    EXPECT_TRUE(gather(test::wheel<double>(most), Region{}, 0, star));
-    EXPECT_EQ(star.size, most);
-    EXPECT_FALSE(gather(test::wheel<double>(most + 1), Region{}, 0, star));
-    EXPECT_FALSE(gather(test::wheel<double>(most + 2), Region{}, 0, star));
+    EXPECT_TRUE(gather(test::wheel<double>(largest), Region{}, 0, star));
+    EXPECT_EQ(star.size, largest);
+    EXPECT_FALSE(gather(test::wheel<double>(largest + 1), Region{}, 0, star));
+    EXPECT_FALSE(gather(test::wheel<double>(largest + 2), Region{}, 0, star));
 }
 
 // All coordinates are binary fractions, so both meshes have exactly the same positions within their

@@ -65,12 +65,12 @@ TEST(MakeComplex, RefusesWhatMakesNoSense) {
 // A corner is stored in 32 bits, four numbers for each triangle, which limits the number of
 // triangles. The span's size alone is checked, so no such array is needed.
 TEST(MakeComplex, RefusesMoreTrianglesThanThereAreCorners) {
-    constexpr std::size_t most = (std::size_t{1} << 30U) - 3;
+    constexpr std::size_t largest = (std::size_t{1} << 30U) - 3;
     const Indices triangle{0, 1, 2};
     const Phase phase = 0;
     expect_words(test::refusal([&] {
-                     (void)make_complex<double>(points, std::span(&triangle, most + 1),
-                                                std::span(&phase, most + 1));
+                     (void)make_complex<double>(points, std::span(&triangle, largest + 1),
+                                                std::span(&phase, largest + 1));
                  }),
                  "too many triangles: got 1073741822; allowed: at most 10737418");
     const std::span<const Point<double>> many(points.data(), no_id);

@@ -55,21 +55,21 @@ void draw_sizes(Dice& dice, double h, SizeOptions<Real>& sizes) {
     sizes.longest = static_cast<Real>(dice.chance(0.5) ? 0.0 : dice.in(1.0, 6.0) * h);
     const auto slope = static_cast<Real>(dice.in(-3.0, 3.0));
     const auto length = static_cast<Real>(h);
-    const Real least = length / 1000;
+    const Real smallest = length / 1000;
     if (dice.chance(0.3)) {
         sizes.by_place = [=](const Point<Real>& p, Real time, Phase phase) {
             return std::max(length * (1 + static_cast<Real>(phase) + slope * (p.x() + time)),
-                            least);
+                            smallest);
         };
     }
     if (dice.chance(0.3)) {
         sizes.on_interface = [=](const Point<Real>& p, Real) {
-            return std::max(length * (1 + slope * p.y()), least);
+            return std::max(length * (1 + slope * p.y()), smallest);
         };
     }
     if (dice.chance(0.3)) {
         sizes.by_distance = [=](Real distance) {
-            return std::max(length + slope * distance, least);
+            return std::max(length + slope * distance, smallest);
         };
     }
     sizes.changes_in_time = (sizes.by_place || sizes.on_interface) && dice.chance(0.5);

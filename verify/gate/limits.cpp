@@ -46,11 +46,11 @@ void check_rule(const TableReader& limits, const Check& check, const Limit& limi
     const Rule& rule = find_rule(limit.rule);
     const double ratio =
         rule.factor == 1 && check.at_least ? measured / limit.value : limit.value / measured;
-    if (!(ratio >= rule.least && ratio <= rule.most)) {
+    if (!(ratio >= rule.min && ratio <= rule.max)) {
         limits.refuse(check.name,
                       "the limit does not follow its rule, " + rule.name + " of " +
                           to_text(measured),
-                      to_text(rule.least) + " to " + to_text(rule.most) + " times that");
+                      to_text(rule.min) + " to " + to_text(rule.max) + " times that");
     }
 }
 

@@ -15,8 +15,8 @@ struct Check;
 /// How a limit follows from what was measured.
 struct Rule {
     std::string name;
-    double least;      ///< smallest ratio of limit to measured figure, or the reverse for
-    double most;       ///< a lower limit; the largest; includes rounding to two digits
+    double min; ///< smallest allowed ratio of limit to measured figure (lower limit: the reverse)
+    double max; ///< largest allowed ratio, which includes rounding to two digits
     double factor = 1; ///< used by `propose`; 1: `propose` does not change the limit
 };
 

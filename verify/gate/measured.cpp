@@ -52,16 +52,16 @@ Measured sum_of(const Check& check, std::span<const Outcome* const> outcomes) {
 Measured distinct_results(std::span<const Outcome* const> outcomes) {
     using Result = std::pair<std::uint64_t, std::map<std::string, std::uint64_t>>;
     std::map<Strategy, std::set<Result>> by_strategy;
-    Measured most{.run = outcomes.front()->configuration};
+    Measured largest{.run = outcomes.front()->configuration};
     for (const Outcome* outcome : outcomes) {
         const RunResult& r = finished(*outcome);
         std::set<Result>& results = by_strategy[r.strategy];
         results.emplace(r.mesh_hash, r.operations);
-        if (static_cast<double>(results.size()) > most.value) {
-            most = {static_cast<double>(results.size()), outcome->configuration};
+        if (static_cast<double>(results.size()) > largest.value) {
+            largest = {static_cast<double>(results.size()), outcome->configuration};
         }
     }
-    return most;
+    return largest;
 }
 
 // The meshes at the end depend on the start, for either method: the methods are compared by the

@@ -41,11 +41,11 @@ template <class Value>
 std::optional<Spot> min_triangle(const Mesh& mesh, const std::string& what, const std::string& unit,
                                  Value value) {
     std::optional<Spot> spot;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (const Triangle t : triangles(mesh)) {
         const double here = value(t);
-        if (here < least) {
-            least = here;
+        if (here < min) {
+            min = here;
             spot = Spot{what + few_digits(here) + unit + " in triangle " + std::to_string(t.id),
                         centre_of(mesh, t)};
         }

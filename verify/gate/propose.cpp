@@ -158,10 +158,10 @@ Band band_of(const Case& of, const Held& held, std::vector<double> values) {
               .check = held.check,
               .median =
                   values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2,
-              .least = values.front(),
-              .most = values.back(),
+              .min = values.front(),
+              .max = values.back(),
               .limit = held.limit};
-    set_limit(*held.check, held.check->at_least ? band.least : band.most, band.limit);
+    set_limit(*held.check, held.check->at_least ? band.min : band.max, band.limit);
     return band;
 }
 

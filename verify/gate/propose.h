@@ -14,8 +14,8 @@ struct Band {
     const Case* of = nullptr;
     std::shared_ptr<const Check> check;
     double median = 0;
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
     Limit limit{}; ///< the proposed limit
 };
 

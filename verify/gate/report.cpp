@@ -111,7 +111,7 @@ void print_bands(std::ostream& out, const std::vector<Band>& bands) {
     for (const Band& band : bands) {
         out << '\n';
         print_columns(out, band.check->name, band.of->name,
-                      {few_digits(band.median), few_digits(band.most - band.least),
+                      {few_digits(band.median), few_digits(band.max - band.min),
                        limit_text(*band.check, band.limit),
                        band.median == 0 ? "-" : few_digits(band.limit.value / band.median)});
     }

@@ -281,12 +281,12 @@ Case case_of_file(const std::string& path) {
                                   limit.figure, "limits." + limit.figure + suffix, at_least),
                               {.value = value, .where = limit.where}});
         };
-        const bool has_both = std::isfinite(limit.least) && std::isfinite(limit.most);
-        if (std::isfinite(limit.least)) {
-            add(".least", limit.least, true);
+        const bool has_both = std::isfinite(limit.min) && std::isfinite(limit.max);
+        if (std::isfinite(limit.min)) {
+            add(".min", limit.min, true);
         }
-        if (std::isfinite(limit.most)) {
-            add(has_both ? ".most" : "", limit.most, false);
+        if (std::isfinite(limit.max)) {
+            add(has_both ? ".max" : "", limit.max, false);
         }
     }
     if (c.held.empty()) {

@@ -53,7 +53,7 @@ using Cases = std::vector<std::shared_ptr<const Case>>;
                                     bool needs_limits = true);
 
 /// A scene file with its [limits]; the checks are named after the keys: `limits.sd_rel_last`, or
-/// `limits.area_ratio.least` where both bounds are given. Throws InputError if it has none.
+/// `limits.area_ratio.min` where both bounds are given. Throws InputError if it has none.
 [[nodiscard]] Case case_of_file(const std::string& path);
 
 /// A scene without limits: `scene` is a scene of the catalogue, or a file.

@@ -157,14 +157,14 @@ InTime in_time(const Bounded& shape, double duration, int steps) {
 TEST(CurvatureOrder, IsThreeHalvesInTimeAtJunctions) {
     struct Case {
         double tension;
-        double most;   ///< of the error
+        double limit;  ///< of the error
         double finest; ///< error with shorter steps: the rest is due to h
     };
-    for (const auto& [tension, most, finest] : {Case{1, 4e-4, 2e-4}, Case{1.6, 2e-3, 4e-4}}) {
+    for (const auto& [tension, limit, finest] : {Case{1, 4e-4, 2e-4}, Case{1.6, 2e-3, 4e-4}}) {
         SCOPED_TRACE(tension);
         const InTime of = in_time(lens(tension, 0.01), 0.004, 32);
         EXPECT_GT(of.order, 1.4);
-        EXPECT_LT(std::abs(of.error), most);
+        EXPECT_LT(std::abs(of.error), limit);
         EXPECT_LT(std::abs(of.finest), finest);
     }
 }
@@ -213,10 +213,10 @@ double error_in_a_simulation(Bounded shape, double h, double duration) {
 }
 
 TEST(CurvatureOrder, HoldsInASimulation) {
-    const auto expect = [](const auto& shape_of, double duration, double most) {
+    const auto expect = [](const auto& shape_of, double duration, double limit) {
         const double coarse = error_in_a_simulation(shape_of(0.02), 0.02, duration);
         const double fine = error_in_a_simulation(shape_of(0.005), 0.005, duration);
-        EXPECT_LT(std::abs(coarse), most);
+        EXPECT_LT(std::abs(coarse), limit);
         EXPECT_GT(std::log2(coarse / fine) / 2, 1.35) << coarse << ", " << fine;
     };
     expect([](double h) { return lens(1, h); }, 0.004, 2.5e-3);

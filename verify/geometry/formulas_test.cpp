@@ -33,13 +33,14 @@ TEST(Distance, ToASegmentIsTheLeastOverItsPoints) {
         const P p = dice.point();
         const P a = dice.point();
         const P b = dice.point();
-        double least = std::numeric_limits<double>::infinity();
+        double smallest = std::numeric_limits<double>::infinity();
         constexpr int samples = 2000;
         for (int k = 0; k <= samples; ++k) {
-            least = std::min(least, (a + (b - a) * (static_cast<double>(k) / samples) - p).norm());
+            smallest =
+                std::min(smallest, (a + (b - a) * (static_cast<double>(k) / samples) - p).norm());
         }
-        EXPECT_NEAR(distance<double>(p, a, b), least, 2e-3);
-        EXPECT_LE(distance<double>(p, a, b), least + 1e-15);
+        EXPECT_NEAR(distance<double>(p, a, b), smallest, 2e-3);
+        EXPECT_LE(distance<double>(p, a, b), smallest + 1e-15);
         EXPECT_NEAR(std::sqrt(squared_distance<double>(p, a, b)), distance<double>(p, a, b), 1e-15);
         EXPECT_NEAR((nearest_point<double>(p, a, b) - p).norm(), distance<double>(p, a, b), 1e-15);
     }

@@ -65,11 +65,11 @@ std::vector<Point<double>> koch(int depth) {
 }
 
 double nearest(const Point<double>& p, const std::vector<Point<double>>& outline) {
-    double least = 1;
+    double smallest = 1;
     for (std::size_t i = 0; i < outline.size(); ++i) {
-        least = std::min(least, distance(p, outline[i], outline[(i + 1) % outline.size()]));
+        smallest = std::min(smallest, distance(p, outline[i], outline[(i + 1) % outline.size()]));
     }
-    return least;
+    return smallest;
 }
 
 TEST(InitialDetail, IsLeftOutWithinTheDeviationThatIsReported) {

@@ -94,9 +94,9 @@ TEST(InitialErrors, TheLeastEdgeLengthsAreAllowed) {
     const double steps = initial::min_steps * std::numeric_limits<double>::epsilon();
     const Rectangle small{{0, 0}, {4 * h, 4 * h}};
     const Rectangle far{{1 - 4 * steps, 1 - 4 * steps}, {1, 1}};
-    for (const auto& [domain, least] : {std::pair{small, h}, std::pair{far, steps}}) {
-        EXPECT_TRUE(validate(initial_complex<double>(domain, {}, {.edge_length = least})).ok());
-        EXPECT_THROW(build(std::vector<Shape>{}, 0.99 * least, domain), InputError);
+    for (const auto& [domain, smallest] : {std::pair{small, h}, std::pair{far, steps}}) {
+        EXPECT_TRUE(validate(initial_complex<double>(domain, {}, {.edge_length = smallest})).ok());
+        EXPECT_THROW(build(std::vector<Shape>{}, 0.99 * smallest, domain), InputError);
     }
 }
 

@@ -151,20 +151,20 @@ void expect_a_look_at_all(const Options<Real>& options, const Division* division
         }
     };
     const double first = watch.look().min_quality;
-    double least = first;
+    double smallest = first;
     std::uint64_t edits = 0;
     const Real dt = Real(0.01);
     for (int step = 0; step < 100; ++step) {
         const StepReport report = simulation.step(squeeze, static_cast<Real>(step) * dt, dt);
         edits += report.operations.flips + report.operations.splits + report.operations.collapses;
         const MeshQuality all = measure_worst(complex);
-        least = std::min(least, all.min_quality);
+        smallest = std::min(smallest, all.min_quality);
         const MeshQuality touched = watch.look();
-        ASSERT_EQ(touched.min_quality, least) << "step " << step;
+        ASSERT_EQ(touched.min_quality, smallest) << "step " << step;
         ASSERT_EQ(touched.inverted, all.inverted) << "step " << step;
     }
     EXPECT_GT(edits, 300U) << "hardly anything was done";
-    EXPECT_LT(least, first);
+    EXPECT_LT(smallest, first);
 }
 
 TEST(QualityWatch, IsALookAtAllAfterEachStep) {

@@ -17,15 +17,15 @@ namespace {
 
 // The smallest ratio of altitude to base among the triangles about vertex 0.
 double min_shape(const Complex<double>& complex) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
         const auto v = complex.vertices_of(Triangle{t});
         const Point<double> a = complex.position(v[1]);
         const Point<double> b = complex.position(v[2]);
         const double doubled = 2 * area<double>(complex.position(v[0]), a, b);
-        least = std::min(least, doubled / (b - a).squaredNorm());
+        smallest = std::min(smallest, doubled / (b - a).squaredNorm());
     }
-    return least;
+    return smallest;
 }
 
 MoveOutcome move_centre(Complex<double>& complex, const Point<double>& target) {

@@ -57,10 +57,10 @@ TEST(Cells, ShareTheWorkWithinTheTolerance) {
         EXPECT_LE(shares.size(), cells);
         if (shares.size() == cells) {
             ++divided_as_asked;
-            const auto [least, most] = bounds_of(cells, CutRules{}.tolerance);
+            const auto [smallest, largest] = bounds_of(cells, CutRules{}.tolerance);
             for (const double share : shares) {
-                EXPECT_GE(share, least - 1e-6) << "seed " << seed << ", cells " << cells;
-                EXPECT_LE(share, most + 1e-6) << "seed " << seed << ", cells " << cells;
+                EXPECT_GE(share, smallest - 1e-6) << "seed " << seed << ", cells " << cells;
+                EXPECT_LE(share, largest + 1e-6) << "seed " << seed << ", cells " << cells;
             }
         }
     }

@@ -29,18 +29,18 @@ constexpr std::array assignments = test::values_in(assignment_names);
 
 std::string name_of(Assignment assignment) { return std::string(to_string(assignment)); }
 
-// Colours of up to `most` tasks; a task waits for some of the earlier colours, most often for a few
-// of the previous one.
-void draw_graph(Dice& dice, TaskGraph& graph, int most) {
+// Colours of up to `largest` tasks; a task waits for some of the earlier colours, most often for a
+// few of the previous one.
+void draw_graph(Dice& dice, TaskGraph& graph, int largest) {
     const int colours = dice.in(1, 4);
     for (int colour = 0; colour < colours; ++colour) {
-        const int count = dice.in(1, most);
+        const int count = dice.in(1, largest);
         const auto first = static_cast<int>(graph.add_colour(static_cast<std::size_t>(count)));
         for (int task = first; task < first + count && first > 0; ++task) {
-            const int least = dice.chance(0.8) ? std::max(0, first - 8) : 0;
+            const int smallest = dice.chance(0.8) ? std::max(0, first - 8) : 0;
             std::vector<int> earlier;
             for (int i = dice.in(0, 4); i > 0; --i) {
-                earlier.push_back(dice.in(least, first - 1));
+                earlier.push_back(dice.in(smallest, first - 1));
             }
             std::sort(earlier.begin(), earlier.end());
             earlier.erase(std::unique(earlier.begin(), earlier.end()), earlier.end());
@@ -115,8 +115,8 @@ TEST(TaskGraph, SharesEachColourAmongTheThreads) {
                 last = home;
                 ++count[home];
             }
-            const auto [least, most] = std::minmax_element(count.begin(), count.end());
-            EXPECT_LE(*most - *least, 1U) << tasks << " tasks, " << threads << " threads";
+            const auto [smallest, largest] = std::minmax_element(count.begin(), count.end());
+            EXPECT_LE(*largest - *smallest, 1U) << tasks << " tasks, " << threads << " threads";
         }
     }
 }

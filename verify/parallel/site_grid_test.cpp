@@ -21,11 +21,11 @@ using test::Dice;
 
 std::uint32_t nearest_of_all(const std::vector<Point<double>>& sites, double x, double y) {
     std::uint32_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t i = 0; i < sites.size(); ++i) {
         const double squared = (sites[i] - Point<double>(x, y)).squaredNorm();
-        if (squared < least) {
-            least = squared;
+        if (squared < smallest) {
+            smallest = squared;
             best = i;
         }
     }

@@ -236,13 +236,13 @@ TEST(SubmeshExecutor, UsesNoMoreThreadsThanThereIsWorkFor) {
             Parallel{.threads = threads, .always_all_threads = always_all});
         const SubmeshExecutor<double>& seen = *executor;
         Simulation<double> simulation(complex, options, std::move(executor));
-        std::uint32_t most = 0; // the executor begins with one thread, then tries all
+        std::uint32_t largest = 0; // the executor begins with one thread, then tries all
         for (int step = 0; step < 8; ++step) {
             (void)simulation.step(test::constant<double>(0.001, 0), 0, 1);
-            most = std::max(most, seen.view().threads_used);
+            largest = std::max(largest, seen.view().threads_used);
         }
         EXPECT_EQ(seen.view().partition.colours.front().regions.size(), 4U);
-        return most;
+        return largest;
     };
     EXPECT_EQ(threads_of(1, 0.25, true), 1U);
     EXPECT_EQ(threads_of(3, 0.25, true), 3U);

@@ -41,8 +41,8 @@ void expect_sections(ThreadPool& pool, int sections, microseconds between) {
             }
         });
         for (std::size_t thread = 0; thread < calls.size(); ++thread) {
-            const int most = thread < threads ? 1 : 0;
-            ASSERT_LE(calls[thread], most) << "section " << section << ", thread " << thread;
+            const int largest = thread < threads ? 1 : 0;
+            ASSERT_LE(calls[thread], largest) << "section " << section << ", thread " << thread;
         }
         ASSERT_EQ(calls[0], 1);
         for (const int share : shares) {

@@ -76,15 +76,15 @@ TYPED_TEST_SUITE(Locate, Reals);
 // A point that is off an edge by the smallest number.
 TYPED_TEST(Locate, IsExact) {
     const auto complex = hexagon<TypeParam>();
-    const auto least = std::numeric_limits<TypeParam>::denorm_min();
+    const auto smallest = std::numeric_limits<TypeParam>::denorm_min();
     using P = Point<TypeParam>;
     const Edge incident_edge = complex.find_edge(Vertex{0}, Vertex{1});
     EXPECT_EQ(locate(complex, P(TypeParam(0.5), 0)).edge, incident_edge);
-    EXPECT_EQ(locate(complex, P(TypeParam(0.5), least)).triangle, Triangle{1});
-    EXPECT_EQ(locate(complex, P(TypeParam(0.5), least)).kind, Kind::triangle);
-    EXPECT_EQ(locate(complex, P(TypeParam(0.5), -least)).triangle, Triangle{6});
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), smallest)).triangle, Triangle{1});
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), smallest)).kind, Kind::triangle);
+    EXPECT_EQ(locate(complex, P(TypeParam(0.5), -smallest)).triangle, Triangle{6});
     EXPECT_EQ(locate(complex, P(0, 0)).vertex, Vertex{0});
-    EXPECT_EQ(locate(complex, P(least, 0)).edge, incident_edge);
+    EXPECT_EQ(locate(complex, P(smallest, 0)).edge, incident_edge);
     EXPECT_EQ(locate(complex, P(1, 0)).vertex, Vertex{1});
     EXPECT_EQ(locate(complex, P(std::nextafter(TypeParam(1), TypeParam(2)), 0)).kind,
               Kind::outside);

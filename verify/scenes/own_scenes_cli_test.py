@@ -141,9 +141,9 @@ class Judged(OwnScenes):
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         rows = self.rows()
         self.assertEqual(set(rows), {"limits.sd_rel_last", "limits.inverted",
-                                     "limits.min_angle_deg_last.least",
-                                     "limits.area_ratio.least", "limits.area_ratio.most"})
-        self.assertEqual(rows["limits.min_angle_deg_last.least"]["sense"], ">=")
+                                     "limits.min_angle_deg_last.min",
+                                     "limits.area_ratio.min", "limits.area_ratio.max"})
+        self.assertEqual(rows["limits.min_angle_deg_last.min"]["sense"], ">=")
         self.assertIn("mine.toml:14: [limits] sd_rel_last", rows["limits.sd_rel_last"]["note"])
         self.assertEqual(rows["limits.sd_rel_last"]["scene"], "mine")
 

@@ -45,16 +45,16 @@ double roundness_error(const std::string& name, std::initializer_list<const char
     double worst = 0;
     RunOptions options;
     options.observer = [&](int, const Complex<double>& complex) {
-        double least = 1;
-        double most = 0;
+        double smallest = 1;
+        double largest = 0;
         for (const Vertex v : vertices(complex)) {
             if (is_interface(complex, v)) {
                 const double radius = (complex.position(v) - centre_of_domain).norm();
-                least = std::min(least, radius);
-                most = std::max(most, radius);
+                smallest = std::min(smallest, radius);
+                largest = std::max(largest, radius);
             }
         }
-        worst = std::max(worst, (most - least) / most);
+        worst = std::max(worst, (largest - smallest) / largest);
     };
     const RunResult result = run_with(name, settings, options);
     EXPECT_GT(result.operations.at("interface_splits"), 50U);

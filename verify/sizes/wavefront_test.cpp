@@ -44,7 +44,7 @@ TEST(MeasureSizes, TargetsGrowWithTheDistance) {
     const SizeOptions<double> sizes{.growth = 1.5, .by_distance = [](double) { return 1.0; }};
     measure_sizes(complex, sizes, h, 0.0);
     const SizeField<double>& field = size_field(complex);
-    double most = 0;
+    double largest = 0;
     double error = 0; // the mean one, far away
     int far = 0;
     for (const Vertex v : vertices(complex)) {
@@ -52,13 +52,13 @@ TEST(MeasureSizes, TargetsGrowWithTheDistance) {
         // Edges of the circle are chords.
         EXPECT_NEAR(field[v].distance, distance, 0.02 * distance + 0.1 * h);
         EXPECT_NEAR(field[v].length, h + 0.5 * distance, 0.02 * distance + 0.1 * h);
-        most = std::max(most, distance);
+        largest = std::max(largest, distance);
         if (distance > 0.1) {
             error += field[v].distance / distance - 1;
             ++far;
         }
     }
-    EXPECT_GT(most, 0.4);
+    EXPECT_GT(largest, 0.4);
     EXPECT_LT(std::abs(error / far), 0.01);
 }
 
@@ -72,24 +72,24 @@ TEST(MeasureSizes, AreBoundByEachOption) {
         }
         return list;
     };
-    const auto most = [](const std::vector<double>& list) {
+    const auto largest = [](const std::vector<double>& list) {
         return *std::ranges::max_element(list);
     };
-    const auto least = [](const std::vector<double>& list) {
+    const auto smallest = [](const std::vector<double>& list) {
         return *std::ranges::min_element(list);
     };
-    EXPECT_DOUBLE_EQ(most(lengths({.growth = 2, .longest = 0.07})), 0.07);
-    EXPECT_DOUBLE_EQ(most(lengths({.growth = 2, .by_distance = [](double) { return 0.06; }})),
+    EXPECT_DOUBLE_EQ(largest(lengths({.growth = 2, .longest = 0.07})), 0.07);
+    EXPECT_DOUBLE_EQ(largest(lengths({.growth = 2, .by_distance = [](double) { return 0.06; }})),
                      0.06);
     const SizeOptions<double> by_place{
         .growth = 2, .by_place = [](const Point<double>&, double time, Phase phase) {
             return phase == 1 ? 0.01 * time : 0.05;
         }};
-    EXPECT_DOUBLE_EQ(most(lengths(by_place)), 0.05);
-    EXPECT_DOUBLE_EQ(least(lengths(by_place)), 0.03); // on the interface as well
+    EXPECT_DOUBLE_EQ(largest(lengths(by_place)), 0.05);
+    EXPECT_DOUBLE_EQ(smallest(lengths(by_place)), 0.03); // on the interface as well
     const SizeOptions<double> too_fine{
         .growth = 2, .by_place = [](const Point<double>&, double, Phase) { return 1e-9; }};
-    EXPECT_DOUBLE_EQ(most(lengths(too_fine)), h);
+    EXPECT_DOUBLE_EQ(largest(lengths(too_fine)), h);
 }
 
 // In turn, only the first or the last vertex of the link has a low value.

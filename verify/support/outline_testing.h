@@ -52,14 +52,14 @@ inline double longest_edge(const scenes::Outline& outline) {
 
 /// The distance of a point from the closed polygons.
 inline double distance_from(std::span<const scenes::Outline> outlines, const Point<double>& p) {
-    double least = INFINITY;
+    double smallest = INFINITY;
     for (const scenes::Outline& outline : outlines) {
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Point<double>& next = outline[(i + 1) % outline.size()];
-            least = std::min(least, distance<double>(p, outline[i], next));
+            smallest = std::min(smallest, distance<double>(p, outline[i], next));
         }
     }
-    return least;
+    return smallest;
 }
 
 inline double distance_from(const scenes::Outline& outline, const Point<double>& p) {

@@ -32,9 +32,9 @@ constexpr double infinity = Region::infinity;
 TEST(Cuts, OfTheTwoColoursLieApart) {
     Dice dice(3);
     for (int round = 0; round < 200; ++round) {
-        const double least = round == 0 ? 0.1 : dice.in(0.02, 0.3);
+        const double smallest = round == 0 ? 0.1 : dice.in(0.02, 0.3);
         const std::uint32_t slabs = round == 0 ? 8 : test::number_in(dice, 2, 12);
-        const Cuts cuts = cuts_of_equal_width(0, 1, slabs, least);
+        const Cuts cuts = cuts_of_equal_width(0, 1, slabs, smallest);
         if (round == 0) {
             ASSERT_EQ(cuts.red.size(), 9U);
             ASSERT_EQ(cuts.black.size(), 10U);
@@ -44,8 +44,9 @@ TEST(Cuts, OfTheTwoColoursLieApart) {
             for (const double black : cuts.black) {
                 nearest = std::min(nearest, std::abs(black - cuts.red[i]));
             }
-            EXPECT_GE(nearest, 0.5 * least - 1e-12) << "red cut at " << cuts.red[i] << " of "
-                                                    << slabs << " slabs, least width " << least;
+            EXPECT_GE(nearest, 0.5 * smallest - 1e-12)
+                << "red cut at " << cuts.red[i] << " of " << slabs << " slabs, least width "
+                << smallest;
         }
     }
 }

@@ -247,10 +247,10 @@ TEST(Junctions, ANegativeEnergyIsRefused) {
 }
 
 TEST(Pieces, GoToThePhaseThatTheyBorderOnMost) {
-    for (const Phase most : {Phase{2}, Phase{3}}) {
-        auto complex = grid({-2, -1, 0, 1, 2}, {-2, -1, 0, 1, 2}, [most](const P& p) {
+    for (const Phase largest : {Phase{2}, Phase{3}}) {
+        auto complex = grid({-2, -1, 0, 1, 2}, {-2, -1, 0, 1, 2}, [largest](const P& p) {
             const bool is_piece = std::abs(p.x() + 0.5) < 0.5 && std::abs(p.y() + 0.5) < 0.5;
-            return is_piece ? 1U : (p.x() < 0 ? most : 5 - most);
+            return is_piece ? 1U : (p.x() < 0 ? largest : 5 - largest);
         });
         TopologyOptions<double> options = changing();
         options.min_area = 1.01; // the piece has 1
@@ -258,7 +258,7 @@ TEST(Pieces, GoToThePhaseThatTheyBorderOnMost) {
         ASSERT_EQ(events.size(), 1U);
         EXPECT_EQ(events[0].kind, EventKind::remove);
         EXPECT_NEAR(events[0].area, 1, 1e-12);
-        EXPECT_EQ(phase_at_corner(complex, P(-0.5, -0.5)), most);
+        EXPECT_EQ(phase_at_corner(complex, P(-0.5, -0.5)), largest);
     }
 }
 

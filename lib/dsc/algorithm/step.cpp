@@ -186,9 +186,9 @@ Real Simulation<Real>::shorten(const Flow<Real>& flow, Real time, Real dt, Reach
     const Real farthest = tolerated * static_cast<Real>(options_.sub_step) * options_.edge_length;
     const Real tolerance = static_cast<Real>(options_.tolerance) * options_.edge_length;
     // The estimate falls with the fourth power of dt.
-    const auto factor = [&](Real most) {
+    const auto factor = [&](Real max) {
         return std::clamp(Real(0.9) * std::sqrt(std::sqrt(tolerance / reach.error)), Real(0.1),
-                          most);
+                          max);
     };
     for (int trial = 0; trial < max_trials && reach.error > tolerance; ++trial) {
         dt *= factor(Real(0.9));

@@ -17,10 +17,10 @@ void Archive::raw(void* data, std::size_t size) {
     at_ += size;
 }
 
-std::uint64_t Archive::length(std::uint64_t size, std::size_t least) {
+std::uint64_t Archive::length(std::uint64_t size, std::size_t min_size) {
     raw(&size, sizeof size);
     if (is_reading_) {
-        expect(size <= (bytes_.size() - at_) / least, "unexpected end of data");
+        expect(size <= (bytes_.size() - at_) / min_size, "unexpected end of data");
     }
     return size;
 }

@@ -58,8 +58,8 @@ public:
         }
     }
     /// Writes `size`, the length of a list, or reads a length and returns it. Each entry takes at
-    /// least `least` bytes: a length that the rest of the bytes cannot hold is refused.
-    [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t least);
+    /// least `min_size` bytes: a length that the rest of the bytes cannot hold is refused.
+    [[nodiscard]] std::uint64_t length(std::uint64_t size, std::size_t min_size);
     /// Archives `size` bytes, as they are in memory.
     void raw(void* data, std::size_t size);
 

@@ -18,11 +18,11 @@ constexpr TriangleRecord border_record{
     {0, 0, 0}, {border_corner, border_corner, border_corner}, border_phase, 0};
 constexpr TriangleRecord dead_record{{no_id, no_id, no_id}, border_record.n, border_phase, 0};
 
-[[noreturn]] void refuse_to_grow(const char* of_what, std::uint32_t number, std::uint32_t most) {
+[[noreturn]] void refuse_to_grow(const char* of_what, std::uint32_t number, std::uint32_t max) {
     throw InputError({.what = "the mesh has reached its largest size",
                       .where = "Complex",
                       .value = std::to_string(number) + " " + of_what,
-                      .allowed = "at most " + std::to_string(most)});
+                      .allowed = "at most " + std::to_string(max)});
 }
 
 } // namespace

@@ -31,8 +31,8 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         const Real of_b = cross<Real>(to_a, way) / area;
         // Both areas are non-negative in the triangle into which the vertex moves. They may also be
         // so in a neighbour that the rounding of a new vertex has inverted; its area is negative.
-        if (const Real least = std::min(of_a, of_b); area > 0 && least > best) {
-            best = least;
+        if (const Real smallest = std::min(of_a, of_b); area > 0 && smallest > best) {
+            best = smallest;
             best_a = a;
             best_b = b;
             share_a = of_a;

@@ -107,8 +107,9 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
 Frame choose_frame(const Point<double>& low, const Point<double>& high) {
     const Point<double> sides = high - low;
     const double size = sides.maxCoeff();
-    constexpr double least = 1e-290;
-    if (!low.allFinite() || !(sides.minCoeff() > 0) || !(size >= least && size <= 1 / least)) {
+    constexpr double smallest = 1e-290;
+    if (!low.allFinite() || !(sides.minCoeff() > 0) ||
+        !(size >= smallest && size <= 1 / smallest)) {
         throw InputError(
             {.what = "the box is empty or out of range",
              .where = "choose_frame",

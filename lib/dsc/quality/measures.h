@@ -101,15 +101,15 @@ Real worst_quality_squared_after_collapse(const Star<Real>& star, std::uint32_t 
 /// predicate has to decide.
 template <class Real>
 bool certainly_positive(const Star<Real>& star, Real px, Real py) {
-    Real least = std::numeric_limits<Real>::max();
+    Real smallest = std::numeric_limits<Real>::max();
     Real scale = std::numeric_limits<Real>::max();
     const std::uint32_t n = star.padded();
-#pragma omp simd reduction(min : least) reduction(min : scale)
+#pragma omp simd reduction(min : smallest) reduction(min : scale)
     for (std::uint32_t i = 0; i < n; ++i) {
         const Real left = (star.x[i] - px) * (star.y_next[i] - py);
         const Real right = (star.y[i] - py) * (star.x_next[i] - px);
         const Real size = std::abs(left) + std::abs(right);
-        least = std::min(least, (left - right) - area_bound<Real> * size);
+        smallest = std::min(smallest, (left - right) - area_bound<Real> * size);
         scale = std::min(scale, size);
     }
     // Below this, products may have lost bits to underflow.
@@ -117,7 +117,7 @@ bool certainly_positive(const Star<Real>& star, Real px, Real py) {
     // A minimum ignores NaN. Written so that the comparison also refuses a centre that is NaN, or
     // so far away that products overflow and their difference is NaN.
     constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
-    return least > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
+    return smallest > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
 }
 
 /// True if every star triangle is strictly positive with the centre at (px, py); exact.
@@ -168,11 +168,11 @@ using IncidentEdgeMargins = std::array<Real, Star<Real>::room>;
 /// Also writes the margin of each incident edge. O(degree).
 template <class Real>
 StarReport<Real> examine(const Star<Real>& star, IncidentEdgeMargins<Real>& margins) {
-    constexpr Real most = std::numeric_limits<Real>::max();
+    constexpr Real largest = std::numeric_limits<Real>::max();
     Real delaunay = 0;
     Real longest = 0;
-    Real shortest = most;
-    Real worst = most;
+    Real shortest = largest;
+    Real worst = largest;
     const std::uint32_t n = star.padded();
     const Real px = star.x0;
     const Real py = star.y0;

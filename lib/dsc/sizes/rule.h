@@ -98,23 +98,23 @@ public:
         if (is_finest(star)) {
             return edge_length_;
         }
-        Real least =
+        Real lowest =
             options_.longest > 0 ? options_.longest : std::numeric_limits<Real>::infinity();
         for (std::uint32_t i = 0; options_.by_place && i < star.size; ++i) {
             if (i == 0 || star.phase[i] != star.phase[i - 1]) {
                 const Point<Real> place(star.x0, star.y0);
-                least = std::min(least, checked(options_.by_place(place, time, star.phase[i]),
-                                                "sizes.by_place", place));
+                lowest = std::min(lowest, checked(options_.by_place(place, time, star.phase[i]),
+                                                  "sizes.by_place", place));
             }
         }
         if (options_.on_interface && is_on_interface(star)) {
-            least = std::min(least, on_interface({star.x0, star.y0}, time));
+            lowest = std::min(lowest, on_interface({star.x0, star.y0}, time));
         }
         if (needs_distance()) {
-            least = std::min(least, checked(options_.by_distance(distance), "sizes.by_distance",
-                                            {star.x0, star.y0}));
+            lowest = std::min(lowest, checked(options_.by_distance(distance), "sizes.by_distance",
+                                              {star.x0, star.y0}));
         }
-        return least;
+        return lowest;
     }
 
     /// The target of interface edges at a point; requires the option `on_interface`.
@@ -136,11 +136,11 @@ public:
             return false;
         }
         // A change to a target between these two is ignored, whatever its rounding.
-        const Real least = stored / (1 + slack_) * Real(1 + 1e-5);
-        const Real most = stored * (1 + slack_) * Real(1 - 1e-5);
+        const Real lowest = stored / (1 + slack_) * Real(1 + 1e-5);
+        const Real highest = stored * (1 + slack_) * Real(1 - 1e-5);
         const Real alone = own(star, 0, time);
-        bool is_low_enough = alone <= most;
-        bool is_high_enough = alone >= least;
+        bool is_low_enough = alone <= highest;
+        bool is_high_enough = alone >= lowest;
         bool is_above = false;
         Real here = sizes[star.link[0]].length;
         for (std::uint32_t i = 0; i < star.size; ++i) {
@@ -152,12 +152,12 @@ public:
             const Real ex = bx - ax;
             const Real ey = by - ay;
             const Real incident_edge = slope_ * slope_ * (ax * ax + ay * ay);
-            const Real room = most - here;
+            const Real room = highest - here;
             is_low_enough |= incident_edge <= room * std::abs(room);
             // No value on the edge is below that of its lower end, and no point is nearer than the
             // line through the edge.
             const Real across = slope_ * (ax * by - ay * bx);
-            const Real lack = least - std::min(here, next);
+            const Real lack = lowest - std::min(here, next);
             is_high_enough &= across * across >= lack * std::abs(lack) * (ex * ex + ey * ey);
             is_above |= here < stored;
             here = next;
@@ -175,8 +175,8 @@ public:
             distance = min_over_link(star, Real(1), values);
         }
         values.take(star, [&](std::uint32_t v) { return sizes[v].length; });
-        const Real least = own(star, distance, time);
-        return {std::min(least, min_over_link(star, slope_, values)), distance};
+        const Real lowest = own(star, distance, time);
+        return {std::min(lowest, min_over_link(star, slope_, values)), distance};
     }
 
 private:

@@ -26,11 +26,11 @@ inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle&
 // A bound for walks, because only in a Delaunay triangulation every walk ends.
 Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     Spot best;
-    double most = -std::numeric_limits<double>::infinity();
+    double largest = -std::numeric_limits<double>::infinity();
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         const Barycentric at = coordinates(mesh, mesh.triangles[t], x);
-        if (const double least = *std::ranges::min_element(at); least > most) {
-            most = least;
+        if (const double smallest = *std::ranges::min_element(at); smallest > largest) {
+            largest = smallest;
             best = {t, at};
         }
     }
@@ -158,10 +158,10 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
         // Continues across the edge behind which the point is farthest, unless that is an edge of
         // the domain.
         std::uint32_t towards = no_id;
-        double least = inside;
+        double smallest = inside;
         for (std::uint32_t i = 0; i < 3; ++i) {
-            if (at[i] < least && triangle.across[i] != no_id) {
-                least = at[i];
+            if (at[i] < smallest && triangle.across[i] != no_id) {
+                smallest = at[i];
                 towards = triangle.across[i];
             }
         }

@@ -131,10 +131,10 @@ Amount growth_of_bessel_i(int n, Amount z) {
 Amount growth_of_bessel_k(int n, Amount z) {
     constexpr double step = 0.05;
     constexpr double negligible = 40;
-    constexpr int most = 1000; // enough at all points with a significant weight in the inverse
+    constexpr int max_terms = 1000; // enough at all points with a significant weight in the inverse
     Amount value = 0.5;
     Amount slope = 0.5;
-    for (int i = 1; i < most; ++i) {
+    for (int i = 1; i < max_terms; ++i) {
         const double x = i * step;
         const Amount decay = z * (std::cosh(x) - 1);
         if (decay.real() > negligible + n * x) {

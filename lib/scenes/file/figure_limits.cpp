@@ -37,12 +37,12 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
         if (!bounds->has("min") && !bounds->has("max")) {
             reader.refuse(key, "a limit without bounds", "min, max or both");
         }
-        limit.least = bounds->number_or(limit.least, "min", any);
-        limit.most = bounds->number_or(limit.most, "max", any);
+        limit.min = bounds->number_or(limit.min, "min", any);
+        limit.max = bounds->number_or(limit.max, "max", any);
     } else {
-        limit.most = reader.number(key, any);
+        limit.max = reader.number(key, any);
     }
-    if (!(limit.least <= limit.most)) {
+    if (!(limit.min <= limit.max)) {
         reader.refuse(key, "bad value", "a min that is not above max");
     }
     return limit;

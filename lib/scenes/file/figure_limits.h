@@ -15,8 +15,8 @@ namespace dsc::scenes {
 /// The allowed range of a figure of a result, bounds included.
 struct FigureLimit {
     std::string figure; ///< its name in result files
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
     std::string where{}; ///< file, line and key
 };
 

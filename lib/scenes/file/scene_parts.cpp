@@ -168,7 +168,7 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
         {"edges_to_interface", "longest", "shortest", "by_phase", "by_place", "on_interface"});
     const double number = reader.number_or(0, "edges_to_interface", {1, 1e4});
     const double longest = reader.number_or(0, "longest", positive_length);
-    const double least = reader.number_or(0, "shortest", positive_length);
+    const double min_length = reader.number_or(0, "shortest", positive_length);
     const LengthByPhase by_phase{reader.has("by_phase")
                                      ? reader.numbers("by_phase", positive_length)
                                      : std::vector<double>{}};
@@ -183,7 +183,7 @@ std::function<SizeOptions<double>(const Parameters&)> read_sizes(const TableRead
             where_interface = reader.where("on_interface")](const Parameters& p) {
         SizeOptions<double> sizes;
         sizes.longest = longest;
-        sizes.shortest = least;
+        sizes.shortest = min_length;
         if (number > 0) {
             sizes.by_distance = EdgesToInterface{p.h, number};
         }

@@ -180,16 +180,16 @@ std::vector<int> TableReader::integers(const std::string& key, int low, int high
         range("whole numbers", low, high));
 }
 
-Phase TableReader::phase(const std::string& key, int least) const {
-    return static_cast<Phase>(integer(key, least, largest_phase));
+Phase TableReader::phase(const std::string& key, int min) const {
+    return static_cast<Phase>(integer(key, min, largest_phase));
 }
 
 Phase TableReader::phase_or(Phase otherwise, const std::string& key) const {
     return has(key) ? phase(key) : otherwise;
 }
 
-std::vector<Phase> TableReader::phases(const std::string& key, int least) const {
-    const std::vector<int> numbers = integers(key, least, largest_phase);
+std::vector<Phase> TableReader::phases(const std::string& key, int min) const {
+    const std::vector<int> numbers = integers(key, min, largest_phase);
     return {numbers.begin(), numbers.end()};
 }
 

@@ -56,10 +56,10 @@ public:
     [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
     [[nodiscard]] std::vector<double> numbers(const std::string& key, Bounds bounds = {}) const;
     [[nodiscard]] std::vector<int> integers(const std::string& key, int low, int high) const;
-    /// Phases from `least` to `largest_phase`.
-    [[nodiscard]] Phase phase(const std::string& key, int least = 0) const;
+    /// Phases from `min` to `largest_phase`.
+    [[nodiscard]] Phase phase(const std::string& key, int min = 0) const;
     [[nodiscard]] Phase phase_or(Phase otherwise, const std::string& key) const;
-    [[nodiscard]] std::vector<Phase> phases(const std::string& key, int least = 0) const;
+    [[nodiscard]] std::vector<Phase> phases(const std::string& key, int min = 0) const;
     [[nodiscard]] Point<double> point(const std::string& key) const;
     [[nodiscard]] Point<double> point_or(const Point<double>& otherwise,
                                          const std::string& key) const;

@@ -64,8 +64,8 @@ void BlockPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*r
     std::array<std::uint32_t, 2> blocks{};
     const auto wanted = static_cast<std::uint32_t>(std::sqrt(options_.submeshes));
     for (std::size_t k = 0; k < 2; ++k) {
-        const double most = (high[k] - low[k]) / (options_.min_width * input.edge_length);
-        blocks[k] = std::max(1U, std::min(wanted, static_cast<std::uint32_t>(most)));
+        const double max = (high[k] - low[k]) / (options_.min_width * input.edge_length);
+        blocks[k] = std::max(1U, std::min(wanted, static_cast<std::uint32_t>(max)));
     }
     if (blocks[0] * blocks[1] < 2) {
         partition.colours.front().regions.emplace_back();

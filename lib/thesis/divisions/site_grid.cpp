@@ -98,17 +98,17 @@ double SiteGrid::squared_way_out(const Block& seen, double column, double row) c
     // For a place outside the grid, the distance to the grid is added.
     const double beside_grid = square(std::max(-column, column - columns));
     const double above_grid = square(std::max(-row, row - rows));
-    double least = infinitely_far;
+    double smallest = infinitely_far;
     const auto look_at = [&](bool is_open, double cells, double aside) {
         if (is_open) {
-            least = std::min(least, square(cells) + aside);
+            smallest = std::min(smallest, square(cells) + aside);
         }
     };
     look_at(seen.left > 0, column - static_cast<double>(seen.left), above_grid);
     look_at(seen.right + 1 < columns_, static_cast<double>(seen.right + 1) - column, above_grid);
     look_at(seen.bottom > 0, row - static_cast<double>(seen.bottom), beside_grid);
     look_at(seen.top + 1 < rows_, static_cast<double>(seen.top + 1) - row, beside_grid);
-    return least * (1 - rounding);
+    return smallest * (1 - rounding);
 }
 
 std::uint32_t SiteGrid::nearest(double x, double y) const {

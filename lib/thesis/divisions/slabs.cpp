@@ -117,8 +117,8 @@ Cuts cuts_of_equal_share(std::vector<std::pair<double, float>>& positions, std::
 }
 
 Cuts cuts_of_equal_width(double low, double high, std::uint32_t slabs, double min_width) {
-    const double most = min_width > 0 ? (high - low) / min_width : slabs;
-    const auto count = static_cast<std::uint32_t>(std::clamp<double>(most, 1, slabs));
+    const double max = min_width > 0 ? (high - low) / min_width : slabs;
+    const auto count = static_cast<std::uint32_t>(std::clamp<double>(max, 1, slabs));
     Cuts cuts;
     const double width = (high - low) / count;
     for (std::uint32_t i = 0; i < count && count > 1; ++i) {
@@ -233,11 +233,11 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
         options_.follow_shape
             ? principal_direction(input.complex, input.interface)
             : (upright ? Point<double>(0, 1) : Point<double>(std::cos(radians), std::sin(radians)));
-    const double least = options_.min_width * input.edge_length;
+    const double min = options_.min_width * input.edge_length;
     Cuts cuts;
     if (options_.slabbing == Slabbing::fixed) {
         find_extent(input.complex, normal);
-        cuts = cuts_of_equal_width(low_, high_, options_.submeshes, least);
+        cuts = cuts_of_equal_width(low_, high_, options_.submeshes, min);
     } else {
         std::vector<std::pair<double, float>> places;
         if (options_.slabbing == Slabbing::active) {
@@ -255,7 +255,7 @@ void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*re
                 }
             }
         }
-        cuts = cuts_of_equal_share(places, options_.submeshes, least);
+        cuts = cuts_of_equal_share(places, options_.submeshes, min);
     }
     partition.colours = {slab_colour(cuts.red, normal.x(), normal.y(), false)};
     if (partition.colours.front().regions.size() > 1) {

@@ -40,8 +40,8 @@ TEST_P(Example, RunsAndStaysValid) {
         EXPECT_TRUE(result.holds()) << result.problem;
         for (const FigureLimit& limit : file.limits) {
             const double measured = space::figures(result).at(limit.figure);
-            EXPECT_GE(measured, limit.least) << limit.figure;
-            EXPECT_LE(measured, limit.most) << limit.figure;
+            EXPECT_GE(measured, limit.min) << limit.figure;
+            EXPECT_LE(measured, limit.max) << limit.figure;
         }
         return;
     }
@@ -57,8 +57,8 @@ TEST_P(Example, RunsAndStaysValid) {
         const std::string name = limit.figure.substr(0, limit.figure.rfind("_last"));
         const double measured =
             name == "area_ratio" ? result.area_ratio : number(result.last, name);
-        EXPECT_GE(measured, limit.least) << limit.figure;
-        EXPECT_LE(measured, limit.most) << limit.figure;
+        EXPECT_GE(measured, limit.min) << limit.figure;
+        EXPECT_LE(measured, limit.max) << limit.figure;
     }
 }
 

@@ -27,12 +27,12 @@ TEST(FigureLimits, KeepsLimits) {
             .limits;
     ASSERT_EQ(limits.size(), 3U);
     EXPECT_EQ(limits[0].figure, "area_ratio");
-    EXPECT_EQ(limits[0].least, 0.9);
+    EXPECT_EQ(limits[0].min, 0.9);
     EXPECT_NE(limits[0].where.find("s.toml:14: [limits] area_ratio"), std::string::npos)
         << limits[0].where;
     EXPECT_EQ(limits[1].figure, "jaggedness_last.largest_excess_deg");
-    EXPECT_EQ(limits[2].most, 1e-3);
-    EXPECT_TRUE(std::isinf(limits[2].least));
+    EXPECT_EQ(limits[2].max, 1e-3);
+    EXPECT_TRUE(std::isinf(limits[2].min));
 }
 
 TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {

@@ -126,9 +126,9 @@ std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
         }
     }
     // New edges are never shorter than old ones. This bounds their number, but not tightly.
-    const std::size_t most = 64 * zone.size() + 1024;
+    const std::size_t max_inserted = 64 * zone.size() + 1024;
     std::size_t inserted = 0;
-    for (std::size_t i = 0; i < queue.size() && inserted < most; ++i) {
+    for (std::size_t i = 0; i < queue.size() && inserted < max_inserted; ++i) {
         const std::uint32_t t = queue[i];
         if (!complex.is_alive(Triangle{t}) || quality_of(complex, t) >= refine_below) {
             continue;

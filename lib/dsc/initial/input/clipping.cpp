@@ -77,11 +77,11 @@ void clip(Loop& loop, const Side& side) {
 
 // The smallest distance of its points from a side; negative beyond it.
 double min_distance(const Loop& loop, const Side& side) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (const Point<double>& p : loop.points) {
-        least = std::min(least, side.distance(p));
+        smallest = std::min(smallest, side.distance(p));
     }
-    return least;
+    return smallest;
 }
 
 // Moves points within the tolerance of a side onto it.

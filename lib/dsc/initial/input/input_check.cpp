@@ -62,9 +62,9 @@ Lattice check_domain(const Rectangle& domain, const InitialOptions& options) {
                           .value = to_text(domain.low) + " to " + to_text(domain.high),
                           .allowed = "low below high in x and y, and an area that is finite"});
     }
-    constexpr double least = min_initial_edge_length;
-    require(h >= least && h <= 1 / least, "edge_length", h,
-            to_text(least) + " to " + to_text(1 / least) +
+    constexpr double smallest = min_initial_edge_length;
+    require(h >= smallest && h <= 1 / smallest, "edge_length", h,
+            to_text(smallest) + " to " + to_text(1 / smallest) +
                 "; scale other scenes with choose_frame");
     require(h <= std::min(width, height), "edge_length", h,
             "at most " + to_text(std::min(width, height)) + ", the smaller side of the domain");

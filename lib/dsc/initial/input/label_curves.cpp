@@ -207,8 +207,8 @@ private:
         std::vector<double> numbers(grains_, 0);
         std::vector<double> direction = divided(residual);
         double size = dot(residual, direction);
-        const double least = enough * enough * size;
-        for (std::size_t step = 0; step < 2 * grains_ && size > least; ++step) {
+        const double smallest = enough * enough * size;
+        for (std::size_t step = 0; step < 2 * grains_ && size > smallest; ++step) {
             std::vector<double> image(grains_, 0);
             for (std::size_t k = 0; k < boundaries_.size(); ++k) {
                 const Boundary& boundary = boundaries_[k];

@@ -70,10 +70,10 @@ private:
         Line& line = lines.emplace_back();
         line.path.left = is_forth ? first.left : first.right;
         line.path.right = is_forth ? first.right : first.left;
-        const auto [least, most] = std::minmax(first.left, first.right);
-        line.path.name = most == border_phase ? "the domain boundary"
-                                              : "the border of phases " + std::to_string(most) +
-                                                    " and " + std::to_string(least);
+        const auto [lower, higher] = std::minmax(first.left, first.right);
+        line.path.name = higher == border_phase ? "the domain boundary"
+                                                : "the border of phases " + std::to_string(higher) +
+                                                      " and " + std::to_string(lower);
         line.given.push_back(points_[p]);
         for (const std::uint32_t begin = p;;) {
             done_[e] = 1;
@@ -200,16 +200,16 @@ bool has_holes(std::span<const Shape> shapes, std::span<const Loop> loops) {
     }
     for (std::size_t i = 0; i < loops.size(); ++i) {
         const Loop* around = nullptr;
-        double least = 0;
+        double smallest = 0;
         for (std::size_t j = 0; j < loops.size(); ++j) {
             const Box& box = boxes[j];
             const double size = (box.high - box.low).prod();
             if (i != j && (box.low.array() <= boxes[i].low.array()).all() &&
                 (boxes[i].high.array() <= box.high.array()).all() &&
-                (around == nullptr || size < least) &&
+                (around == nullptr || size < smallest) &&
                 holds(loops[j].points, loops[i].points.front())) {
                 around = &loops[j];
-                least = size;
+                smallest = size;
             }
         }
         if (around != nullptr && shapes[around->shape].phase == shapes[loops[i].shape].phase) {

@@ -22,7 +22,7 @@ using Points = std::vector<Point<double>>;
 
 // The mean distance of points, but not so small that a triangle meets very many cells.
 double side_of_cells(std::span<const Strand> strands, double edge_length) {
-    constexpr double least = 0.01; // of the edge length
+    constexpr double min = 0.01; // of the edge length
     double length = 0;
     double points = 1;
     for (const Strand& strand : strands) {
@@ -31,7 +31,7 @@ double side_of_cells(std::span<const Strand> strands, double edge_length) {
             length += distance(strand.points[i - 1], strand.points[i]);
         }
     }
-    return std::max(2 * length / points, least * edge_length);
+    return std::max(2 * length / points, min * edge_length);
 }
 
 template <class Real>
@@ -113,9 +113,9 @@ private:
             nodes[state.last].next = is_free ? state.first : no_id;
             // Two curves between the same ends must not become the same edge, nor a closed one
             // vanish.
-            const std::uint32_t least = is_free || points.front() != points.back() ? 3 : 4;
+            const std::uint32_t min = is_free || points.front() != points.back() ? 3 : 4;
             const std::uint32_t count = state.last - state.first + 1;
-            state.may_go = count - std::min(least, count);
+            state.may_go = count - std::min(min, count);
             double length = 0;
             double area = 0; // inside a closed one
             for (std::size_t i = 1; i < points.size(); ++i) {

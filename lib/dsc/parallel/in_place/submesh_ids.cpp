@@ -53,17 +53,17 @@ void SubmeshExecutor<Real>::make_room() {
 template <class Real>
 void SubmeshExecutor<Real>::refill(Part& part) {
     IdPool& pool = *part.pool;
-    const std::size_t least = min_vertices(part);
-    if (pool.vertices.size() >= least && pool.triangles.size() >= 2 * least) {
+    const std::size_t min = min_vertices(part);
+    if (pool.vertices.size() >= min && pool.triangles.size() >= 2 * min) {
         return;
     }
     // Lends twice as many as needed, so that this is rare.
-    while (pool.vertices.size() < 2 * least) {
+    while (pool.vertices.size() < 2 * min) {
         const std::uint32_t id = complex_.take_vertex(complex_.ids);
         complex_.vertices[id].flags = vertex_dead;
         pool.vertices.push_back(id);
     }
-    while (pool.triangles.size() < 4 * least) {
+    while (pool.triangles.size() < 4 * min) {
         const std::uint32_t id = complex_.take_triangle(complex_.ids);
         complex_.triangles[id].v = {no_id, no_id, no_id};
         pool.triangles.push_back(id);
@@ -73,8 +73,8 @@ void SubmeshExecutor<Real>::refill(Part& part) {
 // Gives back ids beyond several times the number that the present work needs.
 template <class Real>
 void SubmeshExecutor<Real>::give_back_surplus(Part& part) {
-    const std::size_t most = 4 * (spare_vertices + part.work.interface.size());
-    move_ids(*part.pool, complex_.ids, most, 2 * most);
+    const std::size_t max = 4 * (spare_vertices + part.work.interface.size());
+    move_ids(*part.pool, complex_.ids, max, 2 * max);
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

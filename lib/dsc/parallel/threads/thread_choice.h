@@ -18,8 +18,9 @@ namespace dsc {
 class ThreadChoice {
 public:
     /// At most so many threads.
-    explicit ThreadChoice(std::uint32_t most)
-        : max_(most), home_(static_cast<Level>(std::bit_width(most) - 1)), now_(home_) {}
+    explicit ThreadChoice(std::uint32_t max_threads)
+        : max_(max_threads), home_(static_cast<Level>(std::bit_width(max_threads) - 1)),
+          now_(home_) {}
 
     /// The threads for the next step.
     [[nodiscard]] std::uint32_t threads() const { return std::max(max_ >> now_, 1U); }
