@@ -273,7 +273,7 @@ std::vector<Check> table() {
                  "root mean square of what a wave's height is off, over the first height",
                  "amplitude_error"),
         of_fluid("fluid_frequency", "error of a wave's frequency, relative", "frequency_error"),
-        of_fluid("fluid_circularity", "least circularity", "circularity_min"),
+        of_fluid("fluid_circularity", "smallest circularity", "circularity_min"),
         of_fluid("fluid_rise", "largest mean velocity upwards", "rise_velocity_max"),
         of_fluid("fluid_centre", "height of the centroid at the end", "centre_last"),
         of_fluid("fluid_area", "area at the end against the first, off 1", "area_drift_last"),
