@@ -209,7 +209,7 @@ TEST_P(Edits, OfTheApplicationAreLookedAtByTheMeshUpdate) {
     ASSERT_TRUE(victim.is_valid());
     Star<double> star;
     ASSERT_TRUE(gather(complex, Region{}, victim.id, star));
-    // Nearly on one of its neighbours.
+    // Moves the victim almost onto one of its neighbours.
     const Point<double> near(star.x[0], star.y[0]);
     complex.set_position(victim, near + 0.06 * (complex.position(victim) - near));
     ASSERT_EQ(validate(complex).problem, "");

@@ -186,7 +186,7 @@ TEST(InterfaceStages, WhoStaysIsSeenWhereItStays) {
             if (view.vertices[i] == lost) {
                 velocities[i].x() = std::numeric_limits<double>::quiet_NaN();
             }
-            // The speed of one that is locked must not ask for sub-steps.
+            // The speed of a locked vertex must not cause sub-steps.
             if (view.vertices[i] == locked) {
                 velocities[i].x() = 100;
             }

@@ -23,8 +23,7 @@ protected:
 TEST_F(Pieces, FlowsThatSeeTheInterface) {
     dsc::Simulation<double> simulation(complex, options);
 
-    // Flows: along the normal at speed 1; by curvature, in small steps; phase 1 moves and the
-    // others stay.
+    // Along the normal at speed 1; by curvature, in small steps; phase 1 moves and the others stay.
     const auto outwards = dsc::vertex_flow<double>(
         [](const auto& view, std::size_t i, double) { return dsc::normal(view, i); });
     const auto by_curvature =

@@ -16,10 +16,10 @@ namespace dsc::initial {
 struct NodedEdge {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
-    std::vector<std::uint32_t> shapes; ///< whose border it is part of; the others have it twice, or
-                                       ///< not
-    std::uint32_t loop = 0;            ///< one that it belongs to
-    std::uint32_t number = 0;          ///< of the edge there
+    /// On whose border the edge lies; an edge that is twice in a shape's outline is not on it.
+    std::vector<std::uint32_t> shapes;
+    std::uint32_t loop = 0;   ///< one that it belongs to
+    std::uint32_t number = 0; ///< of the edge there
 };
 
 struct NodedShapes {
