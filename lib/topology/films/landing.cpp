@@ -78,8 +78,8 @@ private:
                }) != no_id;
     }
 
-    // Between a blocked vertex and the end of its curve there may be others, equally low, that are
-    // not blocked. These land first, from the end on.
+    // Between a blocked vertex and the end of its curve there may be vertices of an equally small
+    // height that are not blocked. These land first, starting at the end of the curve.
     void land_those_before(std::uint32_t v) {
         std::vector<std::vector<std::uint32_t>> ways;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
