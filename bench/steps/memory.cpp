@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// proc(5): VmRSS and VmHWM in /proc/self/status; "5" in /proc/self/clear_refs resets the latter.
+// Memory in use (VmRSS) and its maximum (VmHWM) are in /proc/self/status; writing "5" to
+// /proc/self/clear_refs resets the maximum (man 5 proc).
 #include "memory.h"
 
 #include <malloc.h>

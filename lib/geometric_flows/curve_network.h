@@ -69,7 +69,8 @@ void find_network(const InterfaceView<Real>& view, const ForcesOf& forces_of,
 template <class Real>
 [[nodiscard]] Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i);
 
-/// Implicit Euler steps of one network after the other. Reuses its memory.
+/// Implicit Euler steps of a network. One object can serve several networks in turn, and reuses its
+/// memory.
 class CurveSystem {
 public:
     /// Begins with a network, which must live as long as steps of it are made. O(edges).

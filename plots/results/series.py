@@ -94,7 +94,7 @@ class Point:
         return self.row.doubtful or self.base.loaded
 
     def flags(self):
-        """Remarks beside S(n), on the row and on the sequential run."""
+        """Remarks on the row and on the sequential run, which are printed beside S(n)."""
         return self.row.flags() + [f"sequential run: {w}" for w in self.base.flags()]
 
 

@@ -152,7 +152,7 @@ TEST_F(Turning, TheToleranceChoosesTheStep) {
         first_steps = first_steps == 0 ? steps : first_steps;
         last_steps = steps;
     }
-    EXPECT_GT(last_steps, 2 * first_steps); // which is what the length of a move asks for
+    EXPECT_GT(last_steps, 2 * first_steps); // more than the limit on displacements requires
 }
 
 TEST_F(Turning, TheStepGrowsAgainWhereTheFlowIsSlower) {

@@ -73,7 +73,7 @@ TEST(SiteGrid, FindsWhatASearchThroughAllFinds) {
             const double reach = i % 4 == 0 ? 30 : i % 4 == 1 ? 1e9 : 1.5;
             const Point<double> p = offset + scale * reach * dice.point(-1, 1);
             expect_same(p.x(), p.y());
-            // In the middle between two sites, and at one of several in the same place.
+            // The middle between two sites, and the place of a site, which other sites may share.
             const auto any = [&] {
                 return sites[static_cast<std::size_t>(
                     dice.in(0, static_cast<int>(sites.size()) - 1))];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A new attribute: where on the x axis each vertex of the interface was at the start. Vertices take
-// it with them, and a new one between two others gets what lies between theirs.
+// A new attribute: the x coordinate of each interface vertex at the start. The value moves with its
+// vertex, and a new vertex between two others gets a value between theirs.
 #include "dsc/dsc.h"
 #include "support/random/scene.h"
 

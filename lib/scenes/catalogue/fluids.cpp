@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fluids: benchmarks with exact or published solutions, and demonstrations with drops and bubbles.
-// Each is a table of fluids, walls and the first shape.
+// Each scene is a table of fluids and walls, with an initial shape.
 #include "scenes/catalogue/coalescence.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/catalogue/small_waves.h"

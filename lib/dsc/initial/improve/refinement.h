@@ -16,8 +16,9 @@ namespace dsc::initial {
 /// enter.
 enum class Protection : std::uint8_t {
     circle, ///< the smallest circle: the piece is seen at an angle of at most 90 degrees
-    /// The part of it where the piece is seen at more than 120 degrees, so that triangles may have
-    /// angles of 30 at its ends. Where curves meet, short pieces next to long ones need that.
+    /// The part of that circle where the piece is seen at more than 120 degrees, so that triangles
+    /// may have angles of 30 degrees at the ends of the piece. Where curves meet, short pieces next
+    /// to long ones need that.
     lens,
 };
 

@@ -27,7 +27,7 @@ Work<Real>& SubmeshExecutor<Real>::home_of(std::uint32_t vertex) {
 // number), since consecutive vertices are nearly always in the same submesh.
 template <class Real>
 void SubmeshExecutor<Real>::distribute_resized() {
-    std::vector<std::uint32_t>& list = whole_.resized; // free, as the whole is no submesh
+    std::vector<std::uint32_t>& list = whole_.resized; // not in use while the mesh is divided
     for (const auto& part : parts_) {
         append(list, part->work.resized);
         part->work.resized.clear();
