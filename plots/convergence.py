@@ -98,7 +98,7 @@ def _guides(axes, lines, moment, sizes):
 
 
 def plain(found):
-    """The factor by which half the edge length divides the error of the default."""
+    """The factor by which the error of the default decreases when the edge length is halved."""
     orders = [(lines[data.DEFAULT][0].title, data.order(lines[data.DEFAULT]))
               for lines in found.values() if data.DEFAULT in lines]
     if not orders:

@@ -204,7 +204,7 @@ TEST(InterfaceStages, WhoStaysIsSeenWhereItStays) {
     }
 }
 
-// What fails for one vertex in an inner stage is that vertex's trouble alone.
+// A failure for one vertex in an inner stage affects only that vertex.
 TEST(InterfaceStages, AVelocityThatIsLostOnTheWayHoldsItsVertexOnly) {
     for (const Integrator integrator :
          {Integrator::midpoint, Integrator::rk4, Integrator::adaptive}) {
