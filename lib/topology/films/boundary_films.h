@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Films of a phase between the interface and the domain boundary, which counts as another sheet.
-// Where a film is thinner than the contact distance, and squeezed, it is given to the phase beyond
-// the interface, which then borders on the domain boundary; the interface ends on the boundary at
-// both ends of the opened film. The wedge at the end of a curve is the matter of landing.h.
+// Where a film is thinner than the contact distance, and squeezed (`Opening::squeezed`), it is
+// given to the phase beyond the interface, which then borders on the domain boundary; the interface
+// ends on the boundary at both ends of the opened film. The wedge at the end of a curve is the
+// matter of landing.h.
 #pragma once
 
 #include "topology/candidates.h"
