@@ -26,6 +26,8 @@
 #include "dsc3/initial/initial_complex.h"
 #include "dsc3/initial/shapes.h"
 
+#include "dsc3/parallel/parallel.h"
+
 #include "dsc3/algorithm/simulation.h"
 
 #include "dsc3/io/surface.h"

@@ -87,6 +87,59 @@ TEST(Attributes3, FollowEveryEdit) {
     }
 }
 
+// By the rule itself, before anything is overwritten.
+TEST(Attributes3, ANewTetInheritsFromTheNearestOneOfItsPhase) {
+    Complex complex = ball_complex();
+    auto& name = complex.attributes.add<Tet>("name", std::uint32_t{0});
+    Workspace work;
+    std::uint32_t edits = 0;
+    std::uint32_t permuted = 0; // tets whose own value went to another one
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+            name[Tet{t}] = t;
+        }
+        const Complex old = complex;
+        work.rewiring.changed.clear();
+        Star star;
+        gather(complex, v, star);
+        const Corner corner = star.corners[v % star.corners.size()];
+        const std::uint32_t other = complex.face(corner)[v % 3];
+        const EdgeAt edge{tet_of(corner), v, other};
+        if (edge_removal(complex, work, edge, 0) != Verdict::legal &&
+            edge_collapse(complex, work, Vertex{v}, Vertex{other}) != Verdict::legal) {
+            (void)edge_split(complex, work, edge, midpoint(complex.at(v), complex.at(other)));
+        }
+        // Old tets are those whose ids or records have changed.
+        std::vector<std::uint32_t> replaced;
+        for (std::uint32_t t = 1; t < old.tet_bound(); ++t) {
+            if (old.is_alive(Tet{t}) && complex.tets[t].v != old.tets[t].v) {
+                replaced.push_back(t);
+            }
+        }
+        const auto middle = [](const Complex& of, std::uint32_t t) {
+            const auto p = of.positions_of(Tet{t});
+            return Point((p[0] + p[1] + p[2] + p[3]) / 4);
+        };
+        for (const std::uint32_t t : work.rewiring.changed) {
+            double least = 1;
+            double of_heir = 1;
+            for (const std::uint32_t o : replaced) {
+                const double way = (middle(complex, t) - middle(old, o)).norm();
+                if (old.phase(Tet{o}) == complex.phase(Tet{t})) {
+                    least = std::min(least, way);
+                    of_heir = name[Tet{t}] == o ? way : of_heir;
+                }
+            }
+            ASSERT_LE(of_heir, least + 1e-12) << "tet " << t << " has that of " << name[Tet{t}];
+            permuted += name[Tet{t}] != t && t < old.tet_bound() ? 1U : 0U;
+        }
+        edits += work.rewiring.changed.empty() ? 0U : 1U;
+    }
+    EXPECT_GT(edits, 200U);
+    EXPECT_GT(permuted, 200U);
+    EXPECT_EQ(name.size(), complex.tet_bound());
+}
+
 TEST(Attributes3, AreCopiedAndRefusedByName) {
     Complex complex = ball_complex();
     complex.attributes.add<Vertex>("heat", 20.0)[Vertex{3}] = 7;

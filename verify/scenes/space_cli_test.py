@@ -105,6 +105,19 @@ class OwnScenesInSpace(CommandLine):
         self.assertEqual(done.returncode, 1)
         self.assertIn("damaged: the checksum does not match", done.stderr)
 
+    def test_threads_change_no_bit(self):
+        scene = self.write("ring.toml", RING)
+        one = self.result(scene, "--threads", "1")
+        checkpoint = self.path("c")
+        self.assertEqual(self.call("run", scene, "--threads", "2", "--checkpoint", checkpoint,
+                                   "--stop-after", "5").returncode, 1)
+        three = self.result("--resume", checkpoint, "--threads", "3")
+        for key in ("mesh_hash", "operations", "moves", "treated", "treated_together", "strategy"):
+            self.assertEqual(one[key], three[key], key)
+        self.assertGreater(one["treated_together"], one["treated"] / 3)
+        self.assertEqual((one["strategy"], one["threads"], three["threads"]), ("cells", 1, 3))
+        self.assertEqual(self.result(scene)["strategy"], "sequential")
+
     def test_limits_are_judged(self):
         scene = self.write("egg.toml", EGG)
         done = self.verify(scene, "--out", self.path("out"))
@@ -158,7 +171,8 @@ class OwnScenesInSpace(CommandLine):
             scene = self.write("bad.toml", RING.replace(old, new, 1))
             self.expect_refusal("run", scene, words=words)
         scene = self.write("ring.toml", RING)
-        self.expect_refusal("run", scene, "--threads", "2", words=["three dimensions"])
+        self.expect_refusal("run", scene, "--strategy", "blocks", words=["three dimensions", "cells"])
+        self.expect_refusal("run", scene, "--threads", "2", "--submeshes", "3", words=["power of two"])
         self.expect_refusal("run", scene, "--checkpoint", scene, words=["ring.toml"])
 
 

@@ -6,6 +6,7 @@
 #include "dsc3/passes/repair.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace dsc3 {
@@ -21,11 +22,41 @@ const Options& checked(const Options& options) {
     return options;
 }
 
+const Parallel& checked(const Parallel& parallel) {
+    const auto refuse = [](const char* what, std::uint32_t value, const char* allowed) {
+        throw InputError({.what = what,
+                          .where = "Simulation",
+                          .value = std::to_string(value),
+                          .allowed = allowed});
+    };
+    if (parallel.threads < 1 || parallel.threads > 1024) {
+        refuse("bad number of threads", parallel.threads, "1 to 1024");
+    }
+    if (parallel.submeshes > submesh_limit ||
+        (parallel.submeshes != 0 && !std::has_single_bit(parallel.submeshes))) {
+        refuse("bad number of submeshes", parallel.submeshes, "0, or a power of two up to 64");
+    }
+    return parallel;
+}
+
 } // namespace
 
 Simulation::Simulation(Complex& complex, const Options& options)
-    : complex_(complex), claim_(complex.in_use),
-      options_(checked(options)), state_{complex_, options_}, version_(complex.version) {
+    : Simulation(complex, options, nullptr) {}
+
+Simulation::Simulation(Complex& complex, const Options& options, const Parallel& parallel)
+    : Simulation(complex, options, &parallel) {}
+
+Simulation::Simulation(Complex& complex, const Options& options, const Parallel* parallel)
+    : complex_(complex), claim_(complex.in_use), options_(checked(options)),
+      team_(parallel == nullptr ? 1 : checked(*parallel).threads), state_{complex_, options_,
+                                                                          team_},
+      version_(complex.version) {
+    if (parallel != nullptr) {
+        submeshes_ = std::make_unique<Submeshes>(complex_, options_.edge_length, *parallel, team_);
+        state_.submeshes = submeshes_.get();
+        state_.work.rewiring.ownership = &submeshes_->ownership();
+    }
     state_.grow();
     state_.find_interface();
 }
@@ -48,8 +79,14 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
         state_.find_interface();
         late_.clear();
     }
+    if (submeshes_ != nullptr) {
+        state_.update_interface();
+        submeshes_->divide(state_.interface);
+    }
     StepReport report;
     state_.work.counts = {};
+    state_.work.treated = 0;
+    state_.work.treated_together = 0;
     state_.unjammed = 0;
     Real remaining = dt;
     while (remaining > 0) {
@@ -68,6 +105,8 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
     state_.update_interface();
     report.operations = state_.work.counts;
     report.unjammed = state_.unjammed;
+    report.treated = state_.work.treated;
+    report.treated_together = state_.work.treated_together;
     report.interface_vertices = static_cast<std::uint32_t>(state_.interface.size());
     report.reached = time + (dt - remaining);
     version_ = complex_.version;
@@ -90,29 +129,56 @@ void Simulation::find_origins() {
     }
 }
 
+// Calls `work(share, begin, end)` for shares of the vertices, which are all of them if the
+// simulation is sequential.
+template <class Work>
+void Simulation::in_shares(std::size_t n, Work work) {
+    largest_.fill(0);
+    if (submeshes_ == nullptr) {
+        work(0, 0, n);
+        return;
+    }
+    constexpr std::size_t grain = 128;
+    team_.chunks(n, grain,
+                 [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t) {
+                     work(chunk, begin, end);
+                 });
+}
+
 Real Simulation::find_targets(const Velocity& velocity, Real time, Real remaining,
                               StepReport& report) {
     const std::size_t n = origins_.size();
     targets_.resize(n);
     held_.assign(n, 0);
-    auto& first = scratch_.first;
-    first.resize(n);
-    velocity(origins_, time, first);
-    Real fastest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!first[i].allFinite()) {
-            first[i].setZero();
-            held_[i] = 1;
+    const std::span<const Point> origins(origins_);
+    const std::span<Point> targets(targets_);
+    in_shares(n, [&](std::uint32_t share, std::size_t begin, std::size_t end) {
+        auto& first = scratch_[share].first;
+        first.resize(end - begin);
+        velocity(origins.subspan(begin, end - begin), time, first);
+        Real fastest = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            Point& v = first[i - begin];
+            if (!v.allFinite()) {
+                v.setZero();
+                held_[i] = 1;
+            }
+            fastest = std::max(fastest, v.norm());
         }
-        fastest = std::max(fastest, first[i].norm());
-    }
+        largest_[share] = fastest;
+    });
+    const Real fastest = *std::max_element(largest_.begin(), largest_.end());
     const Real limit = options_.sub_step * options_.edge_length;
     const Real room = static_cast<Real>(options_.max_sub_steps) - report.sub_steps;
     Real pieces = std::max(std::ceil(remaining * fastest / limit - 1e-9), 1.0);
     for (; pieces <= room; pieces *= 2) {
         const Real part = remaining / pieces;
-        const Real error =
-            integrate(options_.integrator, velocity, origins_, time, part, targets_, scratch_);
+        in_shares(n, [&](std::uint32_t share, std::size_t begin, std::size_t end) {
+            largest_[share] =
+                integrate(options_.integrator, velocity, origins.subspan(begin, end - begin), time,
+                          part, targets.subspan(begin, end - begin), scratch_[share]);
+        });
+        const Real error = *std::max_element(largest_.begin(), largest_.end());
         Real farthest = 0;
         for (std::size_t i = 0; i < n; ++i) {
             if (const Real way = (targets_[i] - origins_[i]).norm(); std::isfinite(way)) {
@@ -144,6 +210,9 @@ void Simulation::transfer(dsc::Archive& archive) {
         archive.raw(late.place.data(), sizeof late.place);
         archive.raw(late.target.data(), sizeof late.target);
         archive.expect(late.vertex < complex_.vertex_bound(), "names a vertex that does not exist");
+    }
+    if (submeshes_ != nullptr) {
+        submeshes_->archive(archive);
     }
     archive(state_.unfit);
     for (const std::uint32_t t : state_.unfit) {

@@ -4,9 +4,11 @@
 #pragma once
 
 #include "dsc/algorithm/simulation.h"
+#include "dsc3/parallel/parallel.h"
 #include "dsc3/passes/state.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace dsc3 {
 
@@ -24,6 +26,8 @@ struct StepReport {
     std::uint64_t unjammed = 0; ///< interface collapses under relaxed rules, to let vertices arrive
     /// Vertices of the interface, summed over sub-steps: a measure of the work of a step.
     std::uint64_t moves = 0;
+    std::uint64_t treated = 0;            ///< tets that mesh repair tried to improve
+    std::uint64_t treated_together = 0;   ///< of these, by several submeshes at the same time
     double error = 0;                     ///< the largest estimate of `adaptive`, a length
     GiveUp gave_up = GiveUp::none;        ///< `none` if the step was completed
     std::uint32_t interface_vertices = 0; ///< at the end of the step
@@ -38,6 +42,10 @@ class Simulation : public Unmovable {
 public:
     /// Throws InputError if an option is out of range.
     Simulation(Complex& complex, const Options& options);
+    /// In parallel. The result is the same for any number of threads; it differs from that of the
+    /// sequential method, because submeshes are repaired in another order. The velocity is called
+    /// by several threads at once, each time for some of the vertices.
+    Simulation(Complex& complex, const Options& options, const Parallel& parallel);
 
     [[nodiscard]] const Options& options() const { return options_; }
 
@@ -55,12 +63,16 @@ public:
     [[nodiscard]] const std::vector<std::uint32_t>& interface() const { return state_.interface; }
 
 private:
+    Simulation(Complex& complex, const Options& options, const Parallel* parallel);
+
     struct Late {
         std::uint32_t vertex = no_id;
         /// Its position: distinguishes it from a new vertex that reuses the id.
         Point place = Point::Zero();
         Point target = Point::Zero();
     };
+    template <class Work>
+    void in_shares(std::size_t n, Work work);
     void find_origins();
     /// Returns the duration of the sub-step; 0 if more sub-steps than allowed would be needed.
     Real find_targets(const Velocity& velocity, Real time, Real remaining, StepReport& report);
@@ -70,13 +82,16 @@ private:
     Complex& complex_;
     dsc::Claim claim_;
     Options options_;
+    Team team_;
+    std::unique_ptr<Submeshes> submeshes_; ///< none: sequential
     PassState state_;
     std::uint64_t version_;  ///< of the complex at the end of the last step
     std::vector<Late> late_; ///< vertices that have not arrived, by ascending id
     std::vector<Point> origins_;
     std::vector<Point> targets_;
     std::vector<std::uint8_t> held_;
-    IntegratorScratch scratch_;
+    std::array<IntegratorScratch, Team::max_chunks> scratch_; ///< by share
+    std::array<Real, Team::max_chunks> largest_{};            ///< velocity or error, by share
 };
 
 } // namespace dsc3

@@ -29,22 +29,52 @@ std::uint32_t Complex::take_vertex(const Point& position, std::uint32_t flags) {
     return id;
 }
 
+namespace {
+
+void expect_room(const Complex& complex, std::size_t more) {
+    if (complex.tet_bound() + more > dsc::triangle_limit) {
+        throw InputError({.what = "the complex is too large",
+                          .where = "Complex",
+                          .value = std::to_string(complex.tet_bound() + more) + " tets",
+                          .allowed = "fewer than 2^30"});
+    }
+}
+
+} // namespace
+
 std::uint32_t Complex::take_tet() {
     if (!free_tets.empty()) {
         const std::uint32_t id = free_tets.back();
         free_tets.pop_back();
         return id;
     }
-    if (tet_bound() == dsc::triangle_limit) {
-        throw InputError({.what = "the complex is too large",
-                          .where = "Complex",
-                          .value = std::to_string(tet_bound()) + " tets",
-                          .allowed = "fewer than 2^30"});
-    }
+    expect_room(*this, 1);
     tets.push_back({{no_id, no_id, no_id, no_id}, {}});
     phases.push_back(exterior_phase);
     attributes.resize_triangles(tets.size());
     return tet_bound() - 1;
+}
+
+void Complex::reserve_ids(std::size_t free_vertex_ids, std::size_t free_tet_ids) {
+    // Half as many more, so that this happens seldom. Old ids are used before new ones.
+    const auto extend = [](std::vector<std::uint32_t>& free, std::size_t wanted,
+                           std::uint32_t bound) {
+        const std::size_t more = wanted > free.size() ? (wanted - free.size()) * 3 / 2 + 1 : 0;
+        free.insert(free.begin(), more, 0);
+        for (std::size_t i = 0; i < more; ++i) {
+            free[i] = bound + static_cast<std::uint32_t>(more - 1 - i);
+        }
+        return more;
+    };
+    if (free_tets.size() < free_tet_ids) {
+        expect_room(*this, 2 * (free_tet_ids - free_tets.size()));
+    }
+    const std::size_t more_tets = extend(free_tets, free_tet_ids, tet_bound());
+    tets.resize(tets.size() + more_tets, {{no_id, no_id, no_id, no_id}, {}});
+    phases.resize(tets.size(), exterior_phase);
+    attributes.resize_triangles(tets.size());
+    vertices.resize(vertices.size() + extend(free_vertices, free_vertex_ids, vertex_bound()));
+    attributes.resize_vertices(vertices.size());
 }
 
 void Complex::give_vertex(std::uint32_t id) {

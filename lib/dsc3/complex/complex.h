@@ -138,6 +138,8 @@ public:
     std::uint32_t take_vertex(const Point& position, std::uint32_t flags);
     /// An id for a tet. Throws InputError if there are no more.
     std::uint32_t take_tet();
+    /// Makes at least so many ids free. Throws InputError if there are no more.
+    void reserve_ids(std::size_t free_vertex_ids, std::size_t free_tet_ids);
     void give_vertex(std::uint32_t id);
     void give_tet(std::uint32_t id);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dsc3/complex/rewire.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <utility>
@@ -65,22 +66,110 @@ void find_heirs(const Complex& complex, std::vector<std::uint32_t>& heirs,
     }
 }
 
-// New tets reuse the ids of old ones, so the old values are first copied beyond all ids.
-void inherit(Complex& complex, std::span<const std::uint32_t> heirs,
-             std::span<const std::uint32_t> old, std::span<const std::uint32_t> made) {
-    const std::uint32_t bound = complex.tet_bound();
-    auto& attributes = complex.attributes;
-    attributes.resize_triangles(bound + old.size());
-    for (std::uint32_t i = 0; i < old.size(); ++i) {
-        attributes.copy_triangle(bound + i, old[i]);
+std::uint32_t take_tet(Complex& complex, Rewiring& work) {
+    if (work.submesh == nullptr) {
+        return complex.take_tet();
     }
+    const std::uint32_t id = work.submesh->free_tets.back();
+    work.submesh->free_tets.pop_back();
+    return id;
+}
+
+void give_tet(Complex& complex, Rewiring& work, std::uint32_t id) {
+    if (work.submesh == nullptr) {
+        complex.give_tet(id);
+    } else {
+        complex.tets[id] = {{no_id, no_id, no_id, no_id}, {}};
+        work.submesh->free_tets.push_back(id);
+    }
+}
+
+// Each new tet takes the entry of its heir. New tets reuse the ids of old ones, so an entry is
+// overwritten only when no other tet waits for its old value; cycles begin with a copy to a spare
+// entry.
+void inherit(Complex& complex, Rewiring& work, std::span<const std::uint32_t> old,
+             std::span<const std::uint32_t> made) {
+    const auto& heirs = work.heirs;
+    const std::size_t reused = std::min(old.size(), made.size());
+    auto& waiting = work.waiting; // for the old value of each reused id; no_id: it is written
+    waiting.assign(made.size(), 0);
     for (std::size_t k = 0; k < made.size(); ++k) {
-        attributes.copy_triangle(made[k], bound + heirs[k]);
+        if (heirs[k] < reused && heirs[k] != k) {
+            ++waiting[heirs[k]];
+        }
     }
-    attributes.resize_triangles(bound);
+    const auto copy = [&](std::uint32_t to, std::uint32_t from) {
+        complex.attributes.copy_triangle(to, from);
+    };
+    for (std::uint32_t first = 0; first < made.size(); ++first) {
+        for (std::uint32_t k = first; k < made.size() && waiting[k] == 0;) {
+            waiting[k] = no_id;
+            if (heirs[k] == k) {
+                break;
+            }
+            copy(made[k], old[heirs[k]]);
+            k = heirs[k] < reused && --waiting[heirs[k]] == 0 ? heirs[k] : no_id;
+        }
+    }
+    const std::uint32_t spare =
+        work.submesh != nullptr ? work.submesh->spare_entry : complex.tet_bound();
+    if (work.submesh == nullptr) {
+        complex.attributes.resize_triangles(spare + 1);
+    }
+    for (std::uint32_t first = 0; first < reused; ++first) {
+        if (waiting[first] == no_id || heirs[first] == first) {
+            continue;
+        }
+        copy(spare, old[first]);
+        std::uint32_t k = first;
+        for (; heirs[k] != first; k = heirs[k]) {
+            copy(made[k], old[heirs[k]]);
+            waiting[k] = no_id;
+        }
+        copy(made[k], spare);
+        waiting[k] = no_id;
+    }
+    if (work.submesh == nullptr) {
+        complex.attributes.resize_triangles(spare);
+    }
 }
 
 } // namespace
+
+std::uint32_t take_vertex(Complex& complex, Rewiring& work, const Point& position,
+                          std::uint32_t flags) {
+    std::uint32_t id = 0;
+    if (work.submesh == nullptr) {
+        id = complex.take_vertex(position, flags);
+    } else {
+        id = work.submesh->free_vertices.back();
+        work.submesh->free_vertices.pop_back();
+        complex.vertices[id] = {position, no_id, flags};
+        complex.attributes.reset_vertex(id);
+    }
+    if (work.ownership != nullptr) {
+        auto& labels = work.ownership->labels;
+        if (id >= labels.size()) {
+            labels.resize(complex.vertex_bound());
+        }
+        labels[id] = work.ownership->label_at(position);
+        if (work.submesh != nullptr) { // wherever it is, its star belongs to the submesh
+            const std::uint32_t shift = 8 * work.submesh->colour;
+            labels[id] = (labels[id] & ~(Label{255} << shift)) | (work.submesh->index << shift);
+        }
+    }
+    return id;
+}
+
+void give_vertex(Complex& complex, Rewiring& work, std::uint32_t id) {
+    if (work.submesh == nullptr) {
+        complex.give_vertex(id);
+    } else {
+        complex.vertices[id].flags = vertex_dead;
+        complex.vertices[id].corner = no_id;
+        work.submesh->free_vertices.push_back(id);
+    }
+}
 
 void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> old,
              std::span<const NewTet> made, std::uint32_t unmatched) {
@@ -106,7 +195,7 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
     }
     const std::size_t first = work.changed.size();
     for (std::size_t k = 0; k < made.size(); ++k) {
-        const std::uint32_t t = k < old.size() ? old[k] : complex.take_tet();
+        const std::uint32_t t = k < old.size() ? old[k] : take_tet(complex, work);
         work.changed.push_back(t);
         complex.tets[t].v = made[k].v;
         complex.phases[t] = made[k].phase;
@@ -115,12 +204,15 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
             vertex.corner = corner_of(t, i);
             vertex.flags &= ~static_cast<std::uint32_t>(vertex_settled);
         }
+        if (work.ownership != nullptr) {
+            work.ownership->note(complex.tets[t]);
+        }
     }
     if (inherits) {
-        inherit(complex, work.heirs, old, {work.changed.data() + first, made.size()});
+        inherit(complex, work, old, {work.changed.data() + first, made.size()});
     }
     for (std::size_t k = made.size(); k < old.size(); ++k) {
-        complex.give_tet(old[k]);
+        give_tet(complex, work, old[k]);
     }
     for (std::size_t k = first; k < work.changed.size(); ++k) {
         const std::uint32_t t = work.changed[k];
@@ -143,7 +235,7 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
             }
         }
     }
-    ++complex.version;
+    note_edit(complex, work);
     if (open != unmatched) {
         throw InvariantError("replace: " + std::to_string(open) + " faces without a partner, not " +
                              std::to_string(unmatched));

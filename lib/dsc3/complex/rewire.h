@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dsc3/complex/complex.h"
+#include "dsc3/complex/ownership.h"
 
 #include <array>
 #include <span>
@@ -50,15 +51,35 @@ private:
     std::uint32_t epoch_ = 1;
 };
 
-/// The arrays and results of `replace`.
+/// The arrays and results of `replace`, of one thread.
 struct Rewiring {
+    Ownership* ownership = nullptr; ///< kept up to date, if there are submeshes
+    Submesh* submesh = nullptr;     ///< the one that is edited; none: the whole complex may be
     FaceTable faces;
     std::vector<std::uint32_t> old;       ///< tets to be removed, as listed by an operation
     std::vector<NewTet> made;             ///< tets to be made, as listed by an operation
     std::vector<std::uint32_t> changed;   ///< ids of tets that were written; the caller empties it
     std::vector<std::uint32_t> interface; ///< new vertices of the interface; the caller empties it
     std::vector<std::uint32_t> heirs;     ///< for each new tet, the old one whose data it inherits
+    std::vector<std::uint32_t> waiting;   ///< scratch
 };
+
+/// Whether the star of a vertex may be searched and edited. O(1).
+[[nodiscard]] inline bool owns(const Rewiring& work, std::uint32_t vertex) {
+    return work.submesh == nullptr ||
+           byte_of(work.ownership->labels[vertex], work.submesh->colour) == work.submesh->index;
+}
+/// Notes that the complex was edited. Submeshes do not: their threads would write to one counter.
+inline void note_edit(Complex& complex, const Rewiring& work) {
+    if (work.submesh == nullptr) {
+        ++complex.version;
+    }
+}
+/// `Complex::take_vertex`, or from the free ids of the submesh, which must have one.
+std::uint32_t take_vertex(Complex& complex, Rewiring& work, const Point& position,
+                          std::uint32_t flags);
+/// `Complex::give_vertex`, or to the free ids of the submesh.
+void give_vertex(Complex& complex, Rewiring& work, std::uint32_t id);
 
 /// Replaces tets that fill a region by others that fill the same region. Old and new faces on the
 /// domain boundary that differ have no partner: `unmatched` is their number. Throws InvariantError

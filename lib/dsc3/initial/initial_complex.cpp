@@ -233,7 +233,8 @@ private:
                                    std::uint32_t b) {
             return project_nearest(midpoint(complex.at(a), complex.at(b)));
         };
-        PassState state{complex_, options};
+        Team team(1);
+        PassState state{complex_, options, team};
         state.grow();
         state.find_interface();
         for (int round = 0; round < options_.improve_rounds; ++round) {

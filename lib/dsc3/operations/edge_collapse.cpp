@@ -92,6 +92,9 @@ Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t t
         return Verdict::changes_topology;
     }
     for (const std::uint32_t v : beside) { // they lose a face
+        if (!owns(work.rewiring, v)) {
+            return Verdict::on_submesh_boundary;
+        }
         gather(complex, v, work.other);
         gather(complex, work.other, work.other_interface_star);
         if (work.other_interface_star.size() < 4) {
@@ -154,7 +157,7 @@ Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Verte
     }
     ++(complex.is_interface(vanishing) ? work.counts.interface_collapses : work.counts.collapses);
     replace(complex, work.rewiring, old, made);
-    complex.give_vertex(vanishing.id);
+    give_vertex(complex, work.rewiring, vanishing.id);
     return Verdict::legal;
 }
 

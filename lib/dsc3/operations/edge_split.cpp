@@ -34,9 +34,9 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const P
         made.push_back(one);
         made.push_back(two);
     }
-    const std::uint32_t v =
-        complex.take_vertex(place, (on_interface ? vertex_interface : 0U) |
-                                       (ring.closed ? 0U : std::uint32_t{vertex_boundary}));
+    const std::uint32_t v = take_vertex(complex, work.rewiring, place,
+                                        (on_interface ? vertex_interface : 0U) |
+                                            (ring.closed ? 0U : std::uint32_t{vertex_boundary}));
     if (!complex.attributes.empty(dsc::SimplexKind::vertex)) {
         const Point way = complex.at(edge.b) - complex.at(edge.a);
         const Real fraction = (place - complex.at(edge.a)).dot(way) / way.squaredNorm();
@@ -61,7 +61,8 @@ bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place,
     for (Real fraction = 1; fraction > 0.1; fraction /= 2) {
         const Point to = fraction == 1 ? place : Point(from + fraction * (place - from));
         if (work.quality.worst(to) > floor) {
-            complex.set_position(vertex, to);
+            complex.vertices[vertex.id].position = to;
+            note_edit(complex, work.rewiring);
             return fraction == 1;
         }
     }

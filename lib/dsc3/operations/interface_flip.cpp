@@ -36,8 +36,8 @@ void join(Complex& complex, std::uint32_t tet, std::uint32_t neighbour) {
 }
 
 // If the tet (a, b, c, d) exists, changing its phase moves the interface to its other two faces.
-Verdict take_other_side(Complex& complex, Workspace& work, std::uint32_t tet, std::uint32_t c,
-                        std::uint32_t d, std::uint32_t neighbour) {
+Verdict reassign(Complex& complex, Workspace& work, std::uint32_t tet, std::uint32_t c,
+                 std::uint32_t d, std::uint32_t neighbour) {
     for (std::uint32_t i = 0; i < 4; ++i) {
         const std::uint32_t v = complex.tets[tet].v[i];
         if (v != c && v != d && complex.phase_at(complex.tets[tet].n[i]) != complex.phases[tet]) {
@@ -45,7 +45,7 @@ Verdict take_other_side(Complex& complex, Workspace& work, std::uint32_t tet, st
         }
     }
     join(complex, tet, neighbour);
-    ++complex.version;
+    note_edit(complex, work.rewiring);
     work.rewiring.changed.push_back(tet);
     ++work.counts.reassigned;
     return Verdict::legal;
@@ -137,6 +137,9 @@ Verdict interface_flip(Complex& complex, Workspace& work, const EdgeAt& edge,
         !is_cap_to_flip(pa, pb, pc, pd, rules.cap_gap)) {
         return Verdict::inverts;
     }
+    if (!owns(work.rewiring, c)) {
+        return Verdict::on_submesh_boundary;
+    }
     if (breaks_manifold(complex, work, a, b, c, d)) {
         return Verdict::changes_topology;
     }
@@ -147,7 +150,7 @@ Verdict interface_flip(Complex& complex, Workspace& work, const EdgeAt& edge,
         const std::uint32_t first = cut[side];
         const std::uint32_t size = (cut[1 - side] + ring.size - first) % ring.size + 1;
         if (size == 2) {
-            return take_other_side(complex, work, ring.tets[first], c, d, ring.tets[cut[1 - side]]);
+            return reassign(complex, work, ring.tets[first], c, d, ring.tets[cut[1 - side]]);
         }
         if (size > polygon_limit) {
             return Verdict::no_gain;

@@ -64,7 +64,7 @@ Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations)
         return Verdict::no_gain;
     }
     record.position = best;
-    ++complex.version;
+    note_edit(complex, work.rewiring);
     ++work.counts.smoothings;
     for (const Corner corner : work.star.corners) {
         for (const std::uint32_t v : complex.tets[tet_of(corner)].v) {
@@ -213,7 +213,8 @@ Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
     if (!(quality > interface_gain * before + 1e-9)) {
         return Verdict::no_gain;
     }
-    complex.set_position(vertex, best);
+    complex.vertices[vertex.id].position = best;
+    note_edit(complex, work.rewiring);
     ++work.counts.smoothings;
     for (const Corner corner : work.star.corners) {
         work.rewiring.changed.push_back(tet_of(corner));

@@ -43,6 +43,8 @@ struct Workspace {
     std::array<std::array<Real, polygon_limit + 1>, polygon_limit + 1> polygon_quality{};
     std::array<std::array<std::uint32_t, polygon_limit + 1>, polygon_limit + 1> polygon_apex{};
     OperationCounts counts;
+    std::uint64_t treated = 0;          ///< tets that mesh repair tried to improve
+    std::uint64_t treated_together = 0; ///< of these, by several submeshes at the same time
 };
 
 /// The quality of a tet.

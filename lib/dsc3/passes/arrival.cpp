@@ -26,14 +26,24 @@ constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.
 
 // Lists the tets around vertices that have not arrived.
 void list_blocking(PassState& state) {
-    for (const std::uint32_t v : state.pending) {
-        gather(state.complex, v, state.work.star);
-        for (const Corner corner : state.work.star.corners) {
-            if (quality_of(state.complex, tet_of(corner)) < blocking_quality) {
-                state.unfit.push_back(tet_of(corner));
-            }
-        }
+    for (auto& list : state.lists) {
+        list.clear();
     }
+    constexpr std::size_t grain = 64;
+    const std::uint32_t chunks = state.team.chunks(
+        state.pending.size(), grain,
+        [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t thread) {
+            Star& star = state.threads[thread].star;
+            for (std::size_t k = begin; k < end; ++k) {
+                gather(state.complex, state.pending[k], star);
+                for (const Corner corner : star.corners) {
+                    if (quality_of(state.complex, tet_of(corner)) < blocking_quality) {
+                        state.lists[chunk].push_back(tet_of(corner));
+                    }
+                }
+            }
+        });
+    append_chunks(state.unfit, state.lists, chunks);
 }
 
 void unjam(PassState& state) {

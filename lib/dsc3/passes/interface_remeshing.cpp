@@ -7,6 +7,7 @@
 #include "dsc3/operations/interface_flip.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace dsc3 {
@@ -33,20 +34,16 @@ const StarFace* across(const InterfaceStar& interface_star, const StarFace& face
 // Finds edges to be collapsed, split or flipped at these vertices; each edge is examined from its
 // lower vertex.
 void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
-    state.too_short.clear();
-    state.too_long.clear();
-    state.to_flip.clear();
     const Complex& complex = state.complex;
     const auto& thresholds = state.options.interface;
     const Real h = state.options.edge_length;
     const Real shortest = thresholds.shortest * h * (thresholds.shortest * h);
     const Real longest = thresholds.longest * h * (thresholds.longest * h);
-    Workspace& work = state.work;
-    for (const std::uint32_t v : vertices) {
-        gather(complex, v, work.star);
-        gather(complex, work.star, work.interface_star);
+    const auto look_at = [&](std::uint32_t v, std::uint32_t chunk, ThreadScratch& scratch) {
+        gather(complex, v, scratch.star);
+        gather(complex, scratch.star, scratch.interface_star);
         const Point& pv = complex.at(v);
-        for (const StarFace& face : work.interface_star.faces) {
+        for (const StarFace& face : scratch.interface_star.faces) {
             const std::uint32_t x = face.x;
             if (v > x && std::binary_search(vertices.begin(), vertices.end(), x)) {
                 continue;
@@ -55,16 +52,35 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
             const Real square = squared_distance(pv, px);
             const WantingEdge edge{square, std::min(v, x), std::max(v, x)};
             if (square < shortest) {
-                state.too_short.push_back(edge);
+                state.short_edges[chunk].push_back(edge);
             } else if (square > longest) {
-                state.too_long.push_back(edge);
-            } else if (const StarFace* other = across(work.interface_star, face);
+                state.long_edges[chunk].push_back(edge);
+            } else if (const StarFace* other = across(scratch.interface_star, face);
                        other != nullptr && wants_flip(pv, px, complex.at(face.y),
                                                       complex.at(other->x), FlipRules{}.slack)) {
-                state.to_flip.push_back(edge);
+                state.flips[chunk].push_back(edge);
             }
         }
+    };
+    for (auto* lists : {&state.short_edges, &state.long_edges, &state.flips}) {
+        for (auto& list : *lists) {
+            list.clear();
+        }
     }
+    constexpr std::size_t grain = 64;
+    const std::uint32_t chunks = state.team.chunks(
+        vertices.size(), grain,
+        [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t thread) {
+            for (std::size_t k = begin; k < end; ++k) {
+                look_at(vertices[k], chunk, state.threads[thread]);
+            }
+        });
+    state.too_short.clear();
+    state.too_long.clear();
+    state.to_flip.clear();
+    append_chunks(state.too_short, state.short_edges, chunks);
+    append_chunks(state.too_long, state.long_edges, chunks);
+    append_chunks(state.to_flip, state.flips, chunks);
 }
 
 // By length, then by id, so that the order does not depend on that of the search.
@@ -76,26 +92,53 @@ void sort(std::vector<WantingEdge>& edges, Before before) {
     });
 }
 
+// Edits edges in submeshes and then those that are left; `edit(work, edge)` returns a verdict. Two
+// colours are enough: what they leave is little.
+template <class Edit>
+void edit_edges(PassState& state, std::vector<WantingEdge>& edges, Edit edit) {
+    constexpr std::uint32_t colours = 2;
+    if (state.submeshes != nullptr) {
+        const Complex& complex = state.complex;
+        const auto owner = [&](const WantingEdge& edge, std::uint32_t colour) {
+            const std::array ends{edge.a, edge.b};
+            return complex.is_interface(Vertex{edge.a}) && complex.is_interface(Vertex{edge.b})
+                       ? state.work.rewiring.ownership->owner(ends, colour)
+                       : Submeshes::done;
+        };
+        state.submeshes->in_colours(
+            edges, colours, &SubmeshWorker::edges, owner, [&](SubmeshWorker& worker) {
+                std::erase_if(worker.edges, [&](const WantingEdge& edge) {
+                    return worker.submesh.free_tets.size() >= Submeshes::min_free_tets &&
+                           edit(worker.work, edge) != Verdict::on_submesh_boundary;
+                });
+            });
+        state.collect_from_submeshes();
+    }
+    for (const WantingEdge& edge : edges) {
+        edit(state.work, edge);
+    }
+}
+
 void collapse_short(PassState& state) {
     sort(state.too_short, std::less<>());
     const auto& thresholds = state.options.interface;
     const Real h = state.options.edge_length;
     const Real always = thresholds.always * h * (thresholds.always * h);
-    for (const WantingEdge& edge : state.too_short) {
-        if (!state.complex.is_interface(Vertex{edge.a}) ||
-            !state.complex.is_interface(Vertex{edge.b})) {
-            continue;
+    Complex& complex = state.complex;
+    edit_edges(state, state.too_short, [&](Workspace& work, const WantingEdge& edge) {
+        if (!complex.is_interface(Vertex{edge.a}) || !complex.is_interface(Vertex{edge.b})) {
+            return Verdict::not_a_simplex;
         }
         const CollapseRules rules{.floor = collapse_floor,
                                   .enough = collapse_enough,
                                   .deviation = edge.square < always
                                                    ? std::numeric_limits<Real>::infinity()
                                                    : thresholds.deviation * h};
-        if (edge_collapse(state.complex, state.work, Vertex{edge.a}, Vertex{edge.b}, rules) !=
-            Verdict::legal) {
-            edge_collapse(state.complex, state.work, Vertex{edge.b}, Vertex{edge.a}, rules);
-        }
-    }
+        const Verdict verdict = edge_collapse(complex, work, Vertex{edge.a}, Vertex{edge.b}, rules);
+        return verdict == Verdict::legal || verdict == Verdict::on_submesh_boundary
+                   ? verdict
+                   : edge_collapse(complex, work, Vertex{edge.b}, Vertex{edge.a}, rules);
+    });
 }
 
 bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
@@ -125,13 +168,13 @@ void split_long(PassState& state) {
 }
 
 void flip(PassState& state) {
-    for (const WantingEdge& edge : state.to_flip) {
-        const EdgeAt at = find_edge(state.complex, edge.a, edge.b, state.work.star);
-        if (at.is_valid()) {
-            interface_flip(state.complex, state.work, at,
-                           {.cap_gap = cap_gap * state.options.edge_length});
-        }
-    }
+    Complex& complex = state.complex;
+    edit_edges(state, state.to_flip, [&](Workspace& work, const WantingEdge& edge) {
+        const EdgeAt at = find_edge(complex, edge.a, edge.b, work.star);
+        return at.is_valid() ? interface_flip(complex, work, at,
+                                              {.cap_gap = cap_gap * state.options.edge_length})
+                             : Verdict::not_a_simplex;
+    });
 }
 
 // Finds the interface vertices of the tets written since `first`, by ascending id.

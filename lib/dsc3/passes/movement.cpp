@@ -3,6 +3,7 @@
 
 #include "dsc3/geometry/tet.h"
 
+#include <array>
 #include <cmath>
 
 namespace dsc3 {
@@ -13,145 +14,210 @@ namespace {
 constexpr Real kept_quality = 0.7;
 // After this number of halvings a vertex stays, so that the roll-back ends.
 constexpr std::uint32_t halvings = 4;
-
 class Movement {
 public:
     Movement(PassState& state, Real move_quality)
-        : state_(state), complex_(state.complex), moving_(state.moving),
-          move_quality_(move_quality) {}
+        : state_(state), complex_(state.complex), team_(state.team), moves_(state.moves),
+          moving_(state.moving), move_quality_(move_quality) {}
 
     void run() {
         begin();
-        find_layers();
+        for (int layer = 0; layer < state_.options.layers; ++layer) {
+            add_layer(layer);
+        }
+        list_near();
         go();
         roll_back();
         end();
     }
 
 private:
-    [[nodiscard]] bool moves(std::uint32_t v) const { return moving_[v].stamp == state_.pass; }
-    [[nodiscard]] bool touches(const TetRecord& tet) const {
-        return moves(tet.v[0]) || moves(tet.v[1]) || moves(tet.v[2]) || moves(tet.v[3]);
+    // Smallest chunks: of vertices or tets that are known, and of tets that are only looked at.
+    static constexpr std::size_t grain = 256;
+    static constexpr std::size_t scan_grain = 2048;
+    // All tets are looked at if more than one vertex for so many of them moves.
+    static constexpr std::size_t dense_share = 1000;
+
+    // Calls `work(k, chunk)` for k below n, shared by the threads; returns the number of chunks.
+    template <class Work>
+    std::uint32_t for_each(std::size_t n, Work work) {
+        return team_.chunks(
+            n, grain, [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t) {
+                for (std::size_t k = begin; k < end; ++k) {
+                    work(k, chunk);
+                }
+            });
     }
+    // Calls `work(tet, chunk, thread)` for tets of which some may have a vertex that moves; returns
+    // the number of chunks. If few vertices move, these are the tets of their stars. Otherwise it
+    // is faster to look at all tets in the order of their ids than to search for them.
+    template <class Work>
+    std::uint32_t scan(Work work) {
+        if (!is_dense_) {
+            list_stars();
+        }
+        return team_.chunks(
+            is_dense_ ? complex_.tets.size() : state_.near.size(), scan_grain,
+            [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t thread) {
+                for (std::size_t k = begin; k < end; ++k) {
+                    const std::uint32_t t =
+                        is_dense_ ? static_cast<std::uint32_t>(k) : state_.near[k];
+                    if (complex_.tets[t].v[0] != no_id) {
+                        work(t, chunk, thread);
+                    }
+                }
+            });
+    }
+    // Adds the stars of the vertices that were entered since the last call.
+    void list_stars() {
+        for (; seen_ < state_.moving_vertices.size(); ++seen_) {
+            gather(complex_, state_.moving_vertices[seen_], state_.work.star);
+            for (const Corner corner : state_.work.star.corners) {
+                if (std::uint32_t& stamp = state_.tet_stamps[tet_of(corner)];
+                    stamp != state_.pass) {
+                    stamp = state_.pass;
+                    state_.near.push_back(tet_of(corner));
+                }
+            }
+        }
+    }
+    void clear(ByChunk<std::uint32_t>& lists) {
+        for (auto& list : lists) {
+            list.clear();
+        }
+    }
+
     void enter(std::uint32_t v) {
-        moving_[v].stamp = state_.pass;
+        moves_[v] = 1;
         moving_[v].origin = complex_.at(v);
         moving_[v].fraction = 1;
-        state_.moving_vertices.push_back(v);
-    }
-    void enter_tet(std::uint32_t t) {
-        if (state_.tet_stamps[t] != state_.pass) {
-            state_.tet_stamps[t] = state_.pass;
-            state_.near.push_back(t);
-        }
     }
 
     void begin() {
         state_.grow();
+        for_each(state_.pending.size(), [&](std::size_t k, std::uint32_t) {
+            const std::uint32_t v = state_.pending[k];
+            enter(v);
+            moving_[v].way = state_.targets[v] - complex_.at(v);
+        });
+        state_.moving_vertices = state_.pending;
+        state_.near.clear();
+        is_dense_ = dense_share * state_.pending.size() > complex_.tet_count();
         if (++state_.pass == 0) { // the counter wrapped around: old stamps would look new
-            state_.moving.assign(state_.moving.size(), {});
             state_.tet_stamps.assign(state_.tet_stamps.size(), 0);
             state_.pass = 1;
         }
-        state_.moving_vertices.clear();
-        state_.near.clear();
-        for (const std::uint32_t v : state_.pending) {
-            enter(v);
-            moving_[v].way = state_.targets[v] - complex_.at(v);
-            enter_tet(tet_of(complex_.vertices[v].corner));
-        }
     }
 
-    // Lists the tets of the moving vertices.
-    void flood(std::size_t first) {
-        for (std::size_t k = first; k < state_.near.size(); ++k) {
-            for (const Corner corner : complex_.tets[state_.near[k]].n) {
-                const std::uint32_t t = tet_of(corner);
-                if (t != border_tet && state_.tet_stamps[t] != state_.pass &&
-                    touches(complex_.tets[t])) {
-                    enter_tet(t);
+    // Each layer follows the mean of its neighbours in the layers before. Sums are formed chunk by
+    // chunk, so that rounding does not depend on the threads.
+    void add_layer(int layer) {
+        for (auto& list : state_.followers) {
+            list.clear();
+        }
+        const std::uint32_t chunks = scan([&](std::uint32_t t, std::uint32_t chunk,
+                                              std::uint32_t thread) {
+            add_followers(complex_.tets[t], state_.followers[chunk], state_.threads[thread].places);
+        });
+        auto& listed = state_.listed;
+        listed.clear();
+        for (std::uint32_t chunk = 0; chunk < chunks; ++chunk) {
+            for (const Follower& part : state_.followers[chunk]) {
+                MovingVertex& sum = moving_[part.vertex];
+                if (moves_[part.vertex] == 0) {
+                    moves_[part.vertex] = 1;
+                    listed.push_back(part.vertex);
+                    sum.way = part.way;
+                    sum.changed = part.count;
+                } else {
+                    sum.way += part.way;
+                    sum.changed += part.count;
                 }
             }
         }
-    }
-
-    // Each layer follows the mean of its neighbours in the layers before.
-    void find_layers() {
         const int layers = state_.options.layers;
-        std::size_t seen = 0; // tets whose vertices have been visited
-        flood(0);
-        for (int layer = 0; layer < layers; ++layer) {
-            auto& followers = state_.listed;
-            followers.clear();
-            for (std::size_t k = seen; k < state_.near.size(); ++k) {
-                ask(complex_.tets[state_.near[k]]);
-            }
-            const std::size_t before = seen;
-            seen = state_.near.size();
-            const Real share = Real(layers - layer) / (layers + 1 - layer);
-            for (const std::uint32_t v : followers) {
-                moving_[v].way *= share / static_cast<Real>(moving_[v].changed);
-                enter(v);
-            }
-            flood(before);
-        }
+        const Real share = Real(layers - layer) / (layers + 1 - layer);
+        for_each(listed.size(), [&](std::size_t k, std::uint32_t) {
+            const std::uint32_t v = listed[k];
+            moving_[v].way *= share / static_cast<Real>(moving_[v].changed);
+            enter(v);
+        });
+        state_.moving_vertices.insert(state_.moving_vertices.end(), listed.begin(), listed.end());
     }
-    void ask(const TetRecord& tet) {
-        for (const std::uint32_t v : tet.v) {
-            if (moves(v) ||
-                (complex_.vertices[v].flags & (vertex_interface | vertex_boundary)) != 0) {
+    void add_followers(const TetRecord& tet, std::vector<Follower>& followers,
+                       std::vector<std::uint32_t>& places) {
+        const auto& v = tet.v;
+        const std::array<std::uint8_t, 4> moves{moves_[v[0]], moves_[v[1]], moves_[v[2]],
+                                                moves_[v[3]]};
+        const int count = moves[0] + moves[1] + moves[2] + moves[3];
+        if (count == 0 || count == 4) {
+            return;
+        }
+        Point way = Point::Zero();
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if (moves[i] != 0) {
+                way += moving_[v[i]].way;
+            }
+        }
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            if (moves[i] != 0 ||
+                (complex_.vertices[v[i]].flags & (vertex_interface | vertex_boundary)) != 0) {
                 continue;
             }
-            MovingVertex& follower = moving_[v];
-            if (follower.stamp != ~state_.pass) {
-                follower.stamp = ~state_.pass; // listed, and not moving yet
-                follower.changed = 0;
-                follower.way.setZero();
-                state_.listed.push_back(v);
+            // An entry is valid if the list confirms it, so nothing has to be reset.
+            std::uint32_t& place = places[v[i]];
+            if (place >= followers.size() || followers[place].vertex != v[i]) {
+                place = static_cast<std::uint32_t>(followers.size());
+                followers.push_back({Point::Zero(), v[i], 0});
             }
-            for (const std::uint32_t w : tet.v) {
-                if (moves(w)) {
-                    follower.way += moving_[w].way;
-                    ++follower.changed;
-                }
-            }
+            followers[place].way += way;
+            followers[place].count += static_cast<std::uint32_t>(count);
         }
+    }
+
+    // Lists all tets with a vertex that moves.
+    void list_near() {
+        if (!is_dense_) {
+            list_stars();
+            return;
+        }
+        clear(state_.lists);
+        const std::uint32_t chunks = scan([&](std::uint32_t t, std::uint32_t chunk, std::uint32_t) {
+            const auto& v = complex_.tets[t].v;
+            if ((moves_[v[0]] | moves_[v[1]] | moves_[v[2]] | moves_[v[3]]) != 0) {
+                state_.lists[chunk].push_back(t);
+            }
+        });
+        append_chunks(state_.near, state_.lists, chunks);
     }
 
     void go() {
-        for (const std::uint32_t v : state_.moving_vertices) {
+        for_each(state_.moving_vertices.size(), [&](std::size_t k, std::uint32_t) {
+            const std::uint32_t v = state_.moving_vertices[k];
             MovingVertex& one = moving_[v];
             one.changed = 0;
             one.wanted = 0;
-            complex_.vertices[v].position = one.origin + one.way;
+            complex_.vertices[v].position = // without rounding, if it has a target
+                k < state_.pending.size() ? state_.targets[v] : Point(one.origin + one.way);
             complex_.vertices[v].flags &= ~static_cast<std::uint32_t>(vertex_settled);
-        }
-        for (const std::uint32_t v : state_.pending) { // without rounding
-            complex_.vertices[v].position = state_.targets[v];
-        }
+        });
         ++complex_.version;
     }
 
     void roll_back() {
         state_.near_quality.resize(state_.near.size());
         for (std::uint32_t round = 0;; ++round) {
+            clear(state_.lists);
+            const std::uint32_t chunks =
+                for_each(state_.near.size(), [&](std::size_t k, std::uint32_t chunk) {
+                    look(k, round, state_.lists[chunk]);
+                });
             auto& blocked = state_.listed;
             blocked.clear();
-            for (std::size_t k = 0; k < state_.near.size(); ++k) {
-                const TetRecord& tet = complex_.tets[state_.near[k]];
-                if (round > 0 && !was_changed(tet, round)) {
-                    continue;
-                }
-                const Real quality = quality_of(complex_, state_.near[k]);
-                state_.near_quality[k] = quality;
-                if (quality >= move_quality_ ||
-                    (quality > quality_floor && quality >= kept_quality * quality_before(tet))) {
-                    continue;
-                }
-                for (const std::uint32_t v : tet.v) {
-                    MovingVertex& one = moving_[v];
-                    if (moves(v) && one.fraction > 0 && one.wanted != round + 1) {
-                        one.wanted = round + 1;
+            for (std::uint32_t chunk = 0; chunk < chunks; ++chunk) {
+                for (const std::uint32_t v : state_.lists[chunk]) {
+                    if (moving_[v].wanted != round + 1) {
+                        moving_[v].wanted = round + 1;
                         blocked.push_back(v);
                     }
                 }
@@ -169,9 +235,27 @@ private:
             }
         }
     }
+    // Lists the vertices of a tet that have to go back.
+    void look(std::size_t k, std::uint32_t round, std::vector<std::uint32_t>& blocked) {
+        const TetRecord& tet = complex_.tets[state_.near[k]];
+        if (round > 0 && !was_changed(tet, round)) {
+            return;
+        }
+        const Real quality = quality_of(complex_, state_.near[k]);
+        state_.near_quality[k] = quality;
+        if (quality >= move_quality_ ||
+            (quality > quality_floor && quality >= kept_quality * quality_before(tet))) {
+            return;
+        }
+        for (const std::uint32_t v : tet.v) {
+            if (moves_[v] != 0 && moving_[v].fraction > 0) {
+                blocked.push_back(v);
+            }
+        }
+    }
     [[nodiscard]] bool was_changed(const TetRecord& tet, std::uint32_t round) const {
         for (const std::uint32_t v : tet.v) {
-            if (moves(v) && moving_[v].changed == round) {
+            if (moves_[v] != 0 && moving_[v].changed == round) {
                 return true;
             }
         }
@@ -180,12 +264,14 @@ private:
     [[nodiscard]] Real quality_before(const TetRecord& tet) const {
         std::array<const Point*, 4> p{};
         for (std::uint32_t i = 0; i < 4; ++i) {
-            p[i] = moves(tet.v[i]) ? &moving_[tet.v[i]].origin : &complex_.at(tet.v[i]);
+            p[i] = moves_[tet.v[i]] != 0 ? &moving_[tet.v[i]].origin : &complex_.at(tet.v[i]);
         }
         return quality(*p[0], *p[1], *p[2], *p[3]);
     }
 
     void end() {
+        for_each(state_.moving_vertices.size(),
+                 [&](std::size_t k, std::uint32_t) { moves_[state_.moving_vertices[k]] = 0; });
         for (std::size_t k = 0; k < state_.near.size(); ++k) {
             if (state_.near_quality[k] < state_.options.quality) {
                 state_.unfit.push_back(state_.near[k]);
@@ -196,8 +282,12 @@ private:
 
     PassState& state_;
     Complex& complex_;
+    Team& team_;
+    std::vector<std::uint8_t>& moves_;
     std::vector<MovingVertex>& moving_;
     Real move_quality_;
+    bool is_dense_ = true;
+    std::size_t seen_ = 0; ///< moving vertices whose stars are listed
 };
 
 } // namespace

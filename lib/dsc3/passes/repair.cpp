@@ -28,30 +28,57 @@ constexpr Real split_gain = 1.05;
 constexpr std::size_t bound_factor = 6;
 constexpr std::size_t min_bound = 100;
 
+bool is_unfit(const Complex& complex, std::uint32_t t, Real quality) {
+    return complex.is_alive(Tet{t}) && quality_of(complex, t) < quality;
+}
+
+// The lists of a repair: of the whole mesh, or of a submesh.
+struct RepairLists {
+    std::vector<std::uint32_t>& unfit;
+    std::vector<std::uint32_t>& unimproved;
+};
+
 class Repair {
 public:
-    Repair(PassState& state, Real quality, Effort effort)
-        : state_(state), complex_(state.complex), work_(state.work), quality_(quality),
+    Repair(Complex& complex, const Options& options, Workspace& work, Real quality, Effort effort)
+        : complex_(complex), options_(options), work_(work), quality_(quality),
           more_(effort == Effort::more) {}
 
-    void run() {
-        auto& unfit = state_.unfit;
+    void run(const RepairLists& lists) {
+        auto& unfit = lists.unfit;
         work_.rewiring.changed.clear();
         const std::size_t bound = bound_factor * unfit.size() + min_bound;
         for (std::size_t k = 0; k < unfit.size() && k < bound; ++k) {
-            const std::uint32_t t = unfit[k];
-            if (complex_.is_alive(Tet{t}) && quality_of(complex_, t) < quality_) {
-                if (improve(t)) {
-                    state_.collect_unfit(quality_);
-                } else if (complex_.is_alive(Tet{t}) &&
-                           quality_of(complex_, t) < worst_tet_quality) {
-                    state_.unimproved.push_back(t);
-                }
-                work_.rewiring.changed.clear();
+            if (is_unfit(complex_, unfit[k], quality_)) {
+                treat(unfit[k], lists);
             }
         }
         unfit.clear();
-        state_.grow();
+    }
+
+    // Treats the tets of a submesh; those that it may not treat stay in its list.
+    void run(SubmeshWorker& worker) {
+        auto& unfit = worker.unfit;
+        const Submesh& submesh = worker.submesh;
+        work_.rewiring.changed.clear();
+        const std::size_t bound = bound_factor * unfit.size() + min_bound;
+        std::size_t deferred = 0;
+        for (std::size_t k = 0; k < unfit.size() && k < bound; ++k) {
+            const std::uint32_t t = unfit[k];
+            if (!is_unfit(complex_, t, quality_)) {
+                continue;
+            }
+            const TetRecord& tet = complex_.tets[t];
+            if (submesh.free_tets.size() < Submeshes::min_free_tets ||
+                submesh.free_vertices.empty() ||
+                work_.rewiring.ownership->owner(tet.v, submesh.colour) != submesh.index) {
+                unfit[deferred++] = t;
+                continue;
+            }
+            worker.places.push_back(complex_.at(tet.v[0]));
+            treat(t, {unfit, worker.unimproved});
+        }
+        unfit.resize(deferred);
     }
 
 private:
@@ -61,6 +88,20 @@ private:
         std::uint32_t b;
     };
     using Edges = std::array<EdgeOfTet, 6>;
+
+    void treat(std::uint32_t t, const RepairLists& lists) {
+        ++work_.treated;
+        if (improve(t)) {
+            for (const std::uint32_t changed : work_.rewiring.changed) {
+                if (is_unfit(complex_, changed, quality_)) {
+                    lists.unfit.push_back(changed);
+                }
+            }
+        } else if (is_unfit(complex_, t, worst_tet_quality)) {
+            lists.unimproved.push_back(t);
+        }
+        work_.rewiring.changed.clear();
+    }
 
     // Returns whether tets were changed.
     bool improve(std::uint32_t t) {
@@ -102,7 +143,7 @@ private:
     }
 
     bool collapse(const Edges& edges) {
-        const Real length = short_edge * state_.options.edge_length;
+        const Real length = short_edge * options_.edge_length;
         const CollapseRules rules{.enough = quality_};
         for (std::size_t i = 0; i < edges.size(); ++i) {
             if (i > 2 && !more_ && edges[i].square > length * length) {
@@ -153,7 +194,7 @@ private:
             if (work_.quality.worst(complex_.position(v)) > split_gain * before + 1e-6) {
                 return true;
             }
-            complex_.set_position(v, middle);
+            complex_.vertices[v.id].position = middle;
             const CollapseRules undo{.floor = 0, .enough = -std::numeric_limits<Real>::infinity()};
             if (edge_collapse(complex_, work_, v, Vertex{a}, undo) == Verdict::legal) {
                 --work_.counts.splits;
@@ -165,8 +206,8 @@ private:
         return false;
     }
 
-    PassState& state_;
     Complex& complex_;
+    const Options& options_;
     Workspace& work_;
     Real quality_;
     bool more_;
@@ -175,7 +216,22 @@ private:
 } // namespace
 
 void repair_mesh(PassState& state, Real quality, Effort effort) {
-    Repair(state, quality, effort).run();
+    Complex& complex = state.complex;
+    if (state.submeshes != nullptr && state.unfit.size() >= Submeshes::min_items) {
+        const auto owner = [&](std::uint32_t t, std::uint32_t colour) {
+            return is_unfit(complex, t, quality)
+                       ? state.work.rewiring.ownership->owner(complex.tets[t].v, colour)
+                       : Submeshes::done;
+        };
+        state.submeshes->in_colours(
+            state.unfit, colour_count, &SubmeshWorker::unfit, owner, [&](SubmeshWorker& worker) {
+                Repair(complex, state.options, worker.work, quality, effort).run(worker);
+            });
+        state.collect_from_submeshes();
+    }
+    Repair(complex, state.options, state.work, quality, effort)
+        .run({state.unfit, state.unimproved});
+    state.grow();
 }
 
 } // namespace dsc3

@@ -20,7 +20,23 @@ void grow_to(std::vector<Value>& list, std::size_t size) {
 void PassState::grow() {
     grow_to(targets, complex.vertex_bound());
     grow_to(moving, complex.vertex_bound());
+    grow_to(moves, complex.vertex_bound());
     grow_to(tet_stamps, complex.tet_bound());
+    threads.resize(team.size());
+    for (ThreadScratch& thread : threads) {
+        grow_to(thread.places, complex.vertex_bound());
+    }
+}
+
+void PassState::collect_from_submeshes() {
+    if (submeshes == nullptr) {
+        return;
+    }
+    submeshes->hand_over(work);
+    for (SubmeshWorker& worker : submeshes->workers()) {
+        unimproved.insert(unimproved.end(), worker.unimproved.begin(), worker.unimproved.end());
+        worker.unimproved.clear();
+    }
 }
 
 void PassState::update_interface() {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "dsc3/operations/workspace.h"
+#include "dsc3/parallel/submeshes.h"
+#include "dsc3/parallel/team.h"
 #include "dsc3/passes/options.h"
 
 #include <cstdint>
@@ -12,16 +14,8 @@
 
 namespace dsc3 {
 
-/// An interface edge that is a candidate of remeshing.
-struct WantingEdge {
-    Real square; ///< of its length
-    std::uint32_t a;
-    std::uint32_t b;
-};
-
 /// The state of a vertex in movement: one cache line.
 struct alignas(64) MovingVertex {
-    std::uint32_t stamp = 0;   ///< of the pass in which it moves
     std::uint32_t changed = 0; ///< the last round of roll-back in which its displacement was halved
     std::uint32_t wanted = 0;  ///< the last round in which one of its tets was bad
     float fraction = 0;        ///< of its displacement
@@ -29,10 +23,26 @@ struct alignas(64) MovingVertex {
     Point origin = Point::Zero();
 };
 
+/// What the tets of one chunk contribute to the displacement of a vertex.
+struct Follower {
+    Point way;
+    std::uint32_t vertex;
+    std::uint32_t count;
+};
+
+/// Of one thread.
+struct ThreadScratch {
+    Star star;
+    InterfaceStar interface_star;
+    std::vector<std::uint32_t> places; ///< by vertex: its place in the list of followers
+};
+
 /// Of one simulation. Arrays by id grow with the complex; nothing else is allocated in a step.
 struct PassState {
     Complex& complex;
     const Options& options;
+    Team& team;
+    Submeshes* submeshes = nullptr; ///< none: sequential
     Workspace work = {};
 
     std::vector<std::uint32_t> interface = {};  ///< its vertices, by ascending id
@@ -49,16 +59,26 @@ struct PassState {
     std::vector<std::pair<Real, std::uint32_t>> worst = {}; ///< unimproved tets, by quality
     std::vector<std::uint32_t> around = {};
     // Scratch of movement.
-    std::vector<MovingVertex> moving = {};      ///< by vertex
-    std::vector<std::uint32_t> tet_stamps = {}; ///< by tet
+    std::vector<std::uint8_t> moves = {};  ///< by vertex: 1 if it moves in this pass
+    std::vector<MovingVertex> moving = {}; ///< by vertex
     std::vector<std::uint32_t> moving_vertices = {};
+    std::vector<std::uint32_t> tet_stamps = {}; ///< by tet: the last pass that listed it
+    std::uint32_t pass = 0;
     std::vector<std::uint32_t> near = {}; ///< tets with a vertex that moves
     std::vector<Real> near_quality = {};
     std::vector<std::uint32_t> listed = {};
-    std::uint32_t pass = 0;
+    // Scratch of loops in chunks.
+    ByChunk<std::uint32_t> lists = {};
+    ByChunk<WantingEdge> short_edges = {};
+    ByChunk<WantingEdge> long_edges = {};
+    ByChunk<WantingEdge> flips = {};
+    ByChunk<Follower> followers = {};
+    std::vector<ThreadScratch> threads = {};
 
     /// Makes the arrays by id as long as the complex.
     void grow();
+    /// Takes over what the submeshes have done.
+    void collect_from_submeshes();
     /// Removes vertices from `interface` that have left it, and adds new ones. O(interface).
     void update_interface();
     /// Finds the interface from scratch. O(mesh).

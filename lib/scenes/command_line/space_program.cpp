@@ -15,9 +15,7 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
                  const Arguments& arguments, const RunOrigin& origin,
                  const std::optional<Checkpoint>& checkpoint) {
     const space::Scene& scene = file.scene;
-    for (const auto& [is_given, option] : {std::pair(arguments.strategy.has_value(), "--strategy"),
-                                           {arguments.threads.has_value(), "--threads"},
-                                           {arguments.events.has_value(), "--events"},
+    for (const auto& [is_given, option] : {std::pair(arguments.events.has_value(), "--events"),
                                            {arguments.series.has_value(), "--series"},
                                            {arguments.edits.has_value(), "--edits"},
                                            {arguments.pictures.has_value(), "--pictures"}}) {
@@ -25,9 +23,15 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
             throw InputError({.what = "not supported for scenes in three dimensions",
                               .where = "run " + scene.name,
                               .value = option,
-                              .allowed = "--set, --json, --frames, --every, --at, --checkpoint, "
-                                         "--resume and --stop-after"});
+                              .allowed = "--set, --threads, --submeshes, --json, --frames, --every, "
+                                         "--at, --checkpoint, --resume and --stop-after"});
         }
+    }
+    if (origin.strategy != Strategy::sequential && origin.strategy != Strategy::cells) {
+        throw InputError({.what = "no such strategy in three dimensions",
+                          .where = "run " + scene.name,
+                          .value = "--strategy " + std::string(to_string(origin.strategy)),
+                          .allowed = "sequential, cells"});
     }
     check_files(arguments, origin, file.files);
     const Parameters parameters = with_settings(scene, origin.settings);
@@ -37,6 +41,10 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
     options.checkpoint = checkpoint_plan(arguments, origin);
     options.resume = checkpoint ? &*checkpoint : nullptr;
     options.stop_after = arguments.run.stop_after;
+    if (origin.strategy == Strategy::cells) {
+        options.parallel = dsc3::Parallel{.threads = origin.submeshing.threads,
+                                          .submeshes = origin.submeshing.submeshes};
+    }
     options.interrupted = &interrupted;
     options.progress = isatty(STDERR_FILENO) != 0;
     heed_signals();

@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <iostream>
 #include <limits>
+#include <memory>
 
 namespace dsc::scenes::space {
 
@@ -29,6 +30,8 @@ void add(dsc3::StepReport& sum, const dsc3::StepReport& step) {
     sum.held += step.held;
     sum.unjammed += step.unjammed;
     sum.moves += step.moves;
+    sum.treated += step.treated;
+    sum.treated_together += step.treated_together;
     sum.gave_up = step.gave_up;
     sum.operations += step.operations;
 }
@@ -47,6 +50,13 @@ dsc3::Options options_of(const Parameters& parameters) {
     return options;
 }
 
+std::unique_ptr<dsc3::Simulation> make_simulation(dsc3::Complex& complex,
+                                                  const dsc3::Options& options,
+                                                  const std::optional<dsc3::Parallel>& parallel) {
+    return parallel ? std::make_unique<dsc3::Simulation>(complex, options, *parallel)
+                    : std::make_unique<dsc3::Simulation>(complex, options);
+}
+
 scenes::Setup times_of(const Setup& setup) {
     scenes::Setup times;
     times.steps = setup.steps;
@@ -58,8 +68,9 @@ scenes::Setup times_of(const Setup& setup) {
 void archive_report(Archive& archive, dsc3::StepReport& sum) {
     dsc3::OperationCounts& done = sum.operations;
     archive(sum.sub_steps, sum.passes, sum.unreached, sum.held, sum.unjammed, sum.moves,
-            done.splits, done.collapses, done.edge_removals, done.face_flips, done.smoothings,
-            done.interface_splits, done.interface_collapses, done.interface_flips, done.reassigned);
+            sum.treated, sum.treated_together, done.splits, done.collapses, done.edge_removals,
+            done.face_flips, done.smoothings, done.interface_splits, done.interface_collapses,
+            done.interface_flips, done.reassigned);
 }
 
 void archive_quality(Archive& archive, dsc3::MeshQuality& quality) {
@@ -73,10 +84,12 @@ public:
           frames_(options.frames, scene.name, times_), options_(options),
           complex_(
               dsc3::initial_complex(setup_.domain, setup_.shapes, {.edge_length = parameters.h})),
-          simulation_(complex_, options_of(parameters)), hash_first_(dsc3::mesh_hash(complex_)) {
+          simulation_(make_simulation(complex_, options_of(parameters), options.parallel)),
+          hash_first_(dsc3::mesh_hash(complex_)) {
         result_.scene = scene.name;
         result_.parameters = parameters;
         result_.keys = scene.keys;
+        result_.parallel = options.parallel;
     }
 
     RunResult run() {
@@ -121,7 +134,7 @@ private:
     void step() {
         const Stopwatch watch;
         const dsc3::StepReport step =
-            simulation_.step(setup_.velocity, result_.steps * setup_.dt, setup_.dt);
+            simulation_->step(setup_.velocity, result_.steps * setup_.dt, setup_.dt);
         const double wall = watch.wall();
         result_.step_us.push_back(1e6 * wall);
         result_.wall_s += wall;
@@ -155,7 +168,8 @@ private:
     // Writes or reads the whole state and the figures.
     void archive(Archive& archive) {
         std::string identity = result_.scene + ", " + std::to_string(setup_.steps) + " steps of " +
-                               to_text(setup_.dt) + ", h = " + to_text(result_.parameters.h);
+                               to_text(setup_.dt) + ", h = " + to_text(result_.parameters.h) +
+                               (result_.parallel ? ", cells" : "");
         const std::string mine = identity;
         std::uint64_t hash_first = hash_first_;
         archive(identity, hash_first);
@@ -172,7 +186,7 @@ private:
         archive_quality(archive, r.quality_last);
         archive_quality(archive, r.quality_ever);
         frames_.archive(archive);
-        simulation_.archive(archive);
+        simulation_->archive(archive);
     }
 
     void save() {
@@ -188,7 +202,7 @@ private:
         r.tets_last = complex_.tet_count();
         r.volume_last = volume();
         r.volume_exact_last = setup_.volume_last;
-        r.interface_vertices_last = static_cast<std::uint32_t>(simulation_.interface().size());
+        r.interface_vertices_last = static_cast<std::uint32_t>(simulation_->interface().size());
         if (setup_.last && r.steps == setup_.steps) {
             r.sd_rel_last = volume_between(complex_, setup_.last) / setup_.volume_last;
             const VertexErrors errors = vertex_errors(complex_, setup_.last);
@@ -210,7 +224,7 @@ private:
     Frames frames_;
     const RunOptions& options_;
     dsc3::Complex complex_;
-    dsc3::Simulation simulation_;
+    std::unique_ptr<dsc3::Simulation> simulation_;
     std::uint64_t hash_first_;
     RunResult result_;
 };
@@ -286,6 +300,8 @@ std::string to_json(const RunResult& r) {
         {"sub_steps", r.sum.sub_steps},
         {"passes", r.sum.passes},
         {"moves", r.sum.moves},
+        {"treated", r.sum.treated},
+        {"treated_together", r.sum.treated_together},
         {"operations",
          {{"splits", done.splits},
           {"collapses", done.collapses},
@@ -304,9 +320,9 @@ std::string to_json(const RunResult& r) {
         {"us_per_vertex_and_sub_step", 1e6 * r.cpu_s / static_cast<double>(r.sum.moves)},
         {"us_per_tet_and_step", 1e6 * r.cpu_s / static_cast<double>(r.tet_steps)},
         {"peak_memory_mb", peak_memory_mb()},
-        {"threads", 1},
-        {"threads_used", 1},
-        {"strategy", "sequential"},
+        {"threads", r.parallel ? r.parallel->threads : 1},
+        {"threads_used", r.parallel ? r.parallel->threads : 1},
+        {"strategy", r.parallel ? "cells" : "sequential"},
         {"mesh_hash", hash},
         {"commit", commit()},
         {"machine", machine()},

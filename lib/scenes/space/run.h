@@ -2,7 +2,7 @@
 // Runs a scene in three dimensions and measures it. Measuring is not timed.
 #pragma once
 
-#include "dsc3/queries/phases.h"
+#include "dsc3/dsc3.h"
 #include "scenes/output/frames.h"
 #include "scenes/run/checkpoint.h"
 #include "scenes/space/scene.h"
@@ -48,6 +48,7 @@ struct RunResult {
     double first_step_us = 0;
     double step_us_median = 0;
     std::uint64_t mesh_hash = 0;
+    std::optional<dsc3::Parallel> parallel{}; ///< none: sequential
 
     /// Whether no invariant was broken, and all vertices arrived.
     [[nodiscard]] bool holds() const {
@@ -60,8 +61,9 @@ struct RunResult {
 struct RunOptions {
     FramePlan frames{}; ///< frames of the tets (.vtu) and the interface (.ply)
     CheckpointPlan checkpoint{};
-    const Checkpoint* resume = nullptr; ///< to resume from, bitwise identically
-    int stop_after = 0;                 ///< steps; 0: no such limit
+    const Checkpoint* resume = nullptr;       ///< to resume from, bitwise identically
+    int stop_after = 0;                       ///< steps; 0: no such limit
+    std::optional<dsc3::Parallel> parallel{}; ///< none: sequential
     const std::atomic<bool>* interrupted = nullptr;
     bool progress = false; ///< whether to show a progress line
 };

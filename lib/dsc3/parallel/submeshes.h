@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Edits in submeshes, colour after colour. The submeshes of a colour are disjoint, so their threads
+// need no locks; where a cut prevents an edit, a later colour, which cuts elsewhere, does it.
+#pragma once
+
+#include "dsc3/complex/ownership.h"
+#include "dsc3/operations/workspace.h"
+#include "dsc3/parallel/parallel.h"
+#include "dsc3/parallel/team.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace dsc3 {
+
+/// An interface edge that is a candidate of remeshing.
+struct WantingEdge {
+    Real square; ///< of its length
+    std::uint32_t a;
+    std::uint32_t b;
+};
+
+/// A submesh, and what its thread needs to edit it.
+struct SubmeshWorker {
+    Submesh submesh;
+    Workspace work;
+    std::vector<std::uint32_t> unfit;      ///< tets to be improved; afterwards those deferred
+    std::vector<std::uint32_t> unimproved; ///< as `PassState::unimproved`
+    std::vector<WantingEdge> edges;        ///< to be edited; afterwards those deferred
+    std::vector<Point> places;             ///< of its work since the last division
+};
+
+/// The submeshes of a simulation.
+class Submeshes : public dsc::Unmovable {
+public:
+    /// Items below this number are done by one thread: colours would cost more than they gain.
+    static constexpr std::size_t min_items = 24;
+    /// A submesh edits only while it has so many free ids of tets.
+    static constexpr std::size_t min_free_tets = 128;
+    /// What `owner` returns for an item that needs nothing any more.
+    static constexpr std::uint32_t done = no_id - 1;
+
+    Submeshes(Complex& complex, Real edge_length, const Parallel& parallel, Team& team);
+
+    /// Cuts all colours anew, such that each submesh has as much work as in the time since the last
+    /// call, and little of it near the cuts. O(mesh), shared by the threads.
+    void divide(const std::vector<std::uint32_t>& interface);
+
+    /// Hands out the items of a list to submeshes in up to `colours` colours: `owner(item, colour)`
+    /// is a submesh, `no_id` or `done`. `edit(worker)` then edits all items of `worker.*list` and
+    /// leaves those in it that it defers. Afterwards `items` has those that no colour did.
+    template <class Item, class Owner, class Edit>
+    void in_colours(std::vector<Item>& items, std::uint32_t colours,
+                    std::vector<Item> SubmeshWorker::*list, Owner owner, Edit edit);
+
+    [[nodiscard]] Ownership& ownership() { return ownership_; }
+    /// Adds counts, changed tets and new interface vertices of all submeshes to those of `work`.
+    void hand_over(Workspace& work);
+    /// The next division depends on where the work was: writes it or reads it back.
+    void archive(dsc::Archive& archive);
+    [[nodiscard]] std::vector<SubmeshWorker>& workers() { return workers_; }
+
+private:
+    void gather_places();
+    void label();
+    void deal_ids(std::uint32_t colour);
+    void take_ids_back();
+
+    Complex& complex_;
+    Team& team_;
+    Real edge_length_;
+    std::uint32_t wanted_; ///< submeshes, by the option
+    Ownership ownership_;
+    std::vector<SubmeshWorker> workers_;
+    std::vector<std::size_t> loads_;    ///< items by submesh
+    std::vector<std::uint32_t> order_;  ///< submeshes with items: those with the most first
+    std::vector<std::uint32_t> owners_; ///< by item
+    std::vector<Point> places_;
+};
+
+template <class Item, class Owner, class Edit>
+void Submeshes::in_colours(std::vector<Item>& items, std::uint32_t colours,
+                           std::vector<Item> SubmeshWorker::*list, Owner owner, Edit edit) {
+    for (std::uint32_t colour = 0; colour < colours && items.size() >= min_items; ++colour) {
+        owners_.resize(items.size());
+        constexpr std::size_t grain = 256;
+        team_.chunks(items.size(), grain,
+                     [&](std::uint32_t, std::size_t begin, std::size_t end, std::uint32_t) {
+                         for (std::size_t k = begin; k < end; ++k) {
+                             owners_[k] = owner(items[k], colour);
+                         }
+                     });
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < items.size(); ++k) {
+            if (owners_[k] == no_id) {
+                items[kept++] = items[k];
+            } else if (owners_[k] != done) {
+                (workers_[owners_[k]].*list).push_back(items[k]);
+            }
+        }
+        items.resize(kept);
+        loads_.clear();
+        for (const SubmeshWorker& worker : workers_) {
+            loads_.push_back((worker.*list).size());
+        }
+        deal_ids(colour);
+        team_.each(static_cast<std::uint32_t>(order_.size()),
+                   [&](std::uint32_t k, std::uint32_t) { edit(workers_[order_[k]]); });
+        take_ids_back();
+        for (SubmeshWorker& worker : workers_) {
+            items.insert(items.end(), (worker.*list).begin(), (worker.*list).end());
+            (worker.*list).clear();
+        }
+    }
+}
+
+} // namespace dsc3

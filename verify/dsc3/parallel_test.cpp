@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Threads in three dimensions change nothing but the time.
+#include "dsc3/dsc3.h"
+#include "support/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace dsc3::test::parallel_test {
+namespace {
+
+constexpr double h = 1.0 / 24;
+constexpr double dt = 1.0 / 24;
+
+void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
+    using std::numbers::pi;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Point p = pi * positions[i];
+        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
+        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
+        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
+                              -d.x() * d.y() * s.z() * s.z());
+    }
+}
+
+struct Tracked {
+    explicit Tracked(const Parallel& parallel, double radius = 0.25)
+        : complex(initial_complex({}, {{ball({0.35, 0.35, 0.35}, radius), 1}}, {.edge_length = h})),
+          simulation(complex, {.edge_length = h}, parallel) {
+        complex.attributes.add<Vertex>("heat", 20.0);
+        auto& number = complex.attributes.add<Tet>("number", std::uint32_t{0});
+        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+            number[Tet{t}] = t;
+        }
+    }
+    // The mesh, ids, free ids, attributes, and all else that later steps depend on.
+    [[nodiscard]] std::string bytes() {
+        dsc::Archive archive;
+        simulation.archive(archive);
+        return archive.bytes();
+    }
+    StepReport step(int k) { return simulation.step(swirl, k * dt, dt); }
+
+    Complex complex;
+    Simulation simulation;
+};
+
+TEST(Parallel3, TheSameBitsForAnyNumberOfThreads) {
+    const int steps = dsc::test::are_asked_for("few") ? 3 : 6;
+    Tracked one({.threads = 1});
+    std::vector<std::unique_ptr<Tracked>> others;
+    for (const std::uint32_t threads : {2U, 3U, 4U}) {
+        others.push_back(std::make_unique<Tracked>(Parallel{.threads = threads}));
+    }
+    StepReport sum;
+    for (int k = 0; k < steps; ++k) {
+        const StepReport report = one.step(k);
+        sum.treated += report.treated;
+        sum.treated_together += report.treated_together;
+        sum.operations += report.operations;
+        EXPECT_EQ(report.unreached, 0U);
+        const ValidationReport valid = validate(one.complex);
+        ASSERT_TRUE(valid.ok()) << "step " << k << ": " << valid.problem;
+        const std::string bytes = one.bytes();
+        for (const auto& other : others) {
+            EXPECT_EQ(other->step(k).treated_together, report.treated_together);
+            ASSERT_EQ(other->bytes(), bytes) << "step " << k;
+        }
+    }
+    // Most of the repair is shared, else this would prove nothing.
+    EXPECT_GT(sum.treated_together, 0.5 * double(sum.treated));
+    EXPECT_GT(sum.operations.interface_splits, 20U);
+}
+
+// Another division gives another mesh, which is as good.
+TEST(Parallel3, AnyNumberOfSubmeshesWillDo) {
+    const int steps = dsc::test::are_asked_for("few") ? 2 : 5;
+    for (const std::uint32_t submeshes : {1U, 2U, 8U, 64U}) {
+        Tracked run({.threads = 2, .submeshes = submeshes});
+        const double volume = phase_volume(run.complex, 1);
+        for (int k = 0; k < steps; ++k) {
+            EXPECT_EQ(run.step(k).unreached, 0U);
+            ASSERT_TRUE(validate(run.complex).ok()) << submeshes << " submeshes, step " << k;
+        }
+        EXPECT_NEAR(phase_volume(run.complex, 1) / volume, 1, 0.01);
+        EXPECT_GT(mesh_quality(run.complex).min_dihedral, 2);
+    }
+}
+
+TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
+    Tracked first({.threads = 2});
+    for (int k = 0; k < 3; ++k) {
+        first.step(k);
+    }
+    dsc::Archive saved(first.bytes(), "saved");
+    Tracked second({.threads = 3});
+    second.step(0); // what is read takes the place of all that was
+    second.simulation.archive(saved);
+    saved.expect_end();
+    for (int k = 3; k < 6; ++k) {
+        first.step(k);
+        second.step(k);
+    }
+    EXPECT_EQ(first.bytes(), second.bytes());
+}
+
+TEST(Parallel3, WhatAVelocityThrowsComesOutOfTheStep) {
+    Tracked run({.threads = 3});
+    const Velocity bad = [](std::span<const Point> p, double, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (p[i].x() > 0.5) {
+                throw std::runtime_error("no velocity there");
+            }
+            w[i].setZero();
+        }
+    };
+    EXPECT_THROW(run.simulation.step(bad, 0, dt), std::runtime_error);
+    EXPECT_TRUE(validate(run.complex).ok());
+    EXPECT_EQ(run.step(0).unreached, 0U);
+}
+
+TEST(Parallel3, EditsBetweenStepsAreTakenAccountOf) {
+    Tracked run({.threads = 2});
+    run.step(0);
+    renumber(run.complex);
+    Workspace work;
+    for (std::uint32_t v = 0; v < run.complex.vertex_bound(); ++v) {
+        Star star;
+        gather(run.complex, v, star);
+        const auto corner = star.corners.front();
+        const std::uint32_t other = run.complex.face(corner)[0];
+        (void)edge_split(run.complex, work, {tet_of(corner), v, other},
+                         midpoint(run.complex.at(v), run.complex.at(other)));
+        v += 100;
+    }
+    EXPECT_EQ(run.step(1).unreached, 0U);
+    EXPECT_TRUE(validate(run.complex).ok());
+}
+
+TEST(Parallel3, RefusesWrongArguments) {
+    Complex complex = initial_complex({}, {{ball({0.5, 0.5, 0.5}, 0.2), 1}}, {.edge_length = 0.1});
+    for (const Parallel& bad : {Parallel{.threads = 0}, Parallel{.threads = 1025},
+                                Parallel{.submeshes = 3}, Parallel{.submeshes = 128}}) {
+        EXPECT_THROW(Simulation(complex, {.edge_length = 0.1}, bad), InputError);
+    }
+    Simulation simulation(complex, {.edge_length = 0.1}, Parallel{});
+    EXPECT_EQ(simulation.step(swirl, 0, 0).sub_steps, 0U);
+}
+
+} // namespace
+} // namespace dsc3::test::parallel_test
