@@ -29,5 +29,6 @@
 #include "dsc/parallel/executors.h"
 #include "dsc/parallel/partition/partition.h"
 #include "dsc/parallel/submesh_view.h"
+#include "dsc/parallel/threads/thread_pool.h"
 
 #include "dsc/io/part_file.h"

@@ -9,6 +9,7 @@
 #include "dsc3/complex/complex.h"
 #include "dsc3/complex/star.h"
 
+#include "dsc3/queries/interface_star.h"
 #include "dsc3/queries/phases.h"
 #include "dsc3/queries/validate.h"
 

@@ -122,6 +122,47 @@ bool is_sheet(const Tets& tets, std::uint32_t v) {
            });
 }
 
+// Whether sheets meet at v along two edges, each sheet once along each.
+bool is_curve(const Tets& tets, std::uint32_t v) {
+    std::vector<Ids> faces; // without v: edges of the link
+    std::map<std::uint32_t, std::size_t> faces_at;
+    for (Ids face : interface_at(tets, {v})) {
+        face.erase(v);
+        faces.push_back(face);
+        for (const std::uint32_t x : face) {
+            ++faces_at[x];
+        }
+    }
+    std::vector<std::pair<std::uint32_t, std::size_t>> ends;
+    std::copy_if(faces_at.begin(), faces_at.end(), std::back_inserter(ends),
+                 [](const auto& at) { return at.second != 2; });
+    if (ends.size() != 2 || ends[0].second != ends[1].second) {
+        return false;
+    }
+    std::size_t arrived = 0;
+    std::size_t used = 0;
+    for (std::size_t first = 0; first < faces.size(); ++first) {
+        if (!faces[first].contains(ends[0].first)) {
+            continue;
+        }
+        std::uint32_t at = ends[0].first;
+        for (std::size_t face = first; face < faces.size();) {
+            ++used;
+            at = *faces[face].begin() == at ? *faces[face].rbegin() : *faces[face].begin();
+            if (faces_at[at] != 2) {
+                arrived += at == ends[1].first ? 1U : 0U;
+                break;
+            }
+            std::size_t next = 0;
+            while (next < faces.size() && (next == face || !faces[next].contains(at))) {
+                ++next;
+            }
+            face = next;
+        }
+    }
+    return arrived == ends[0].second && used == faces.size();
+}
+
 Real quality_of(const Complex& complex, const SetTet& tet) {
     return quality(complex.at(tet.v[0]), complex.at(tet.v[1]), complex.at(tet.v[2]),
                    complex.at(tet.v[3]));
@@ -214,15 +255,30 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
                 Ids common;
                 std::set_intersection(of_v.begin(), of_v.end(), of_to.begin(), of_to.end(),
                                       std::inserter(common, common.end()));
+                const std::size_t faces = interface_at(before, {v, to}).size();
+                const auto keeps_faces = [&](std::uint32_t x) {
+                    return x == to || interface_at(before, {v, to, x}).empty() ||
+                           interface_at(before, {x}).size() > 3;
+                };
+                const auto vanishes = [&](Ids face) { // it falls onto another one
+                    face.erase(v);
+                    face.insert(to);
+                    return face.size() == 3 && !interface_at(before, face).empty();
+                };
+                const std::set<Ids> of_faces = interface_at(before, {v});
                 const bool keeps_interface =
-                    interface_at(before, {v, to}).size() == 2 && common.size() == 2 &&
-                    of_v.size() > 3 && is_sheet(before, v) && is_sheet(before, to) &&
-                    std::all_of(common.begin(), common.end(), [&](std::uint32_t x) {
-                        return interface_at(before, {x}).size() > 3;
+                    std::none_of(of_faces.begin(), of_faces.end(), vanishes) && faces > 0 &&
+                    common.size() == faces && interface_at(before, {v}).size() > 3 &&
+                    (is_sheet(before, v) || (faces != 2 && is_curve(before, v))) &&
+                    std::all_of(of_v.begin(), of_v.end(), keeps_faces) &&
+                    std::none_of(common.begin(), common.end(), [&](std::uint32_t x) {
+                        return interface_at(before, {v, x}).size() != 2 &&
+                               interface_at(before, {to, x}).size() != 2;
                     });
                 if (keeps_interface) {
                     for (const std::uint32_t x : of_v) {
                         EXPECT_TRUE(!is_sheet(before, x) || is_sheet(after, x));
+                        EXPECT_TRUE(!is_curve(before, x) || is_curve(after, x));
                     }
                 }
                 return keeps_interface;

@@ -118,6 +118,19 @@ class OwnScenesInSpace(CommandLine):
         self.assertEqual((one["strategy"], one["threads"], three["threads"]), ("cells", 1, 3))
         self.assertEqual(self.result(scene)["strategy"], "sequential")
 
+    def test_phases_that_meet(self):
+        scene = self.write("halves.toml", EGG[:EGG.index("[exact]")].replace("[flow]", """[[shape]]
+plane = { point = [0.5, 0.6, 0.5], normal = [1, 0.3, 0.2] }
+divides = [1, 2]
+[[shape]]
+plane = { point = [0.5, 0.6, 0.5], normal = [-0.3, 1, 0] }
+divides = [1, 3, 2, 4]
+[flow]""").replace("[shape]", "[[shape]]", 1).replace("h = 0.07", "h = 0.05"))
+        result = self.result(scene)
+        self.assertEqual((result["unreached"], result["problem"]), (0, None))
+        self.assertEqual(result["strata_last"]["point"], 2)  # the planes meet in a line with two ends
+        self.assertGreater(result["strata_last"]["curve"], 30)
+
     def test_limits_are_judged(self):
         scene = self.write("egg.toml", EGG)
         done = self.verify(scene, "--out", self.path("out"))
@@ -155,6 +168,8 @@ class OwnScenesInSpace(CommandLine):
                 ("size = [2, 2, 2]", "size = [2, 2]", ["[domain] size", "three numbers"]),
                 ("size = [2, 2, 2]", "size = [2, 2, -2]", ["[domain] size"]),
                 ("axis = [0, 1, 1]", "axis = [0, 0, 0]", ["axis", "a direction"]),
+                ("phase = 2", "phase = 2\ndivides = [1, 2]", ["divides", "no key phase"]),
+                ("phase = 2", "divides = [1]", ["divides", "pairs of phases"]),
                 ("tube = 0.15", "tube = 0.5", ["tube", "less than the radius"]),
                 ("radius = 0.4", "radius = 0.9", ["reaches the sides of the domain"]),
                 ("high = [-0.1", "high = [-0.9", ["high", "beyond low"]),

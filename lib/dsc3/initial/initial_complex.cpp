@@ -6,6 +6,7 @@
 #include "dsc3/operations/edge_split.h"
 #include "dsc3/passes/interface_remeshing.h"
 #include "dsc3/passes/repair.h"
+#include "dsc3/queries/interface_star.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,12 @@ constexpr Real longest_near = 1.5;
 // quality of the tets around it stays above the second.
 constexpr Real snap_distance = 0.3;
 constexpr Real snap_quality = 0.15;
+// The same for a vertex that stays on an earlier surface: otherwise a short edge would remain
+// there, which the rules of strata then protect.
+constexpr Real junction_quality = 0.05;
+// A vertex that is nearer, in edge lengths, is on a surface.
+constexpr Real on_surface = 1e-3;
+constexpr Real junction_insertion = 0.01;
 // Target quality of the improvement of the first complex.
 constexpr Real start_quality = 0.35;
 
@@ -41,11 +48,25 @@ public:
     }
 
 private:
+    // A vertex that is not yet on the surfaces that meet there.
+    struct Beside {
+        std::uint32_t vertex;
+        Point place;
+        std::vector<const Shape*> surfaces;
+    };
+
     [[nodiscard]] Real limit(const std::array<Point, 4>& p) const {
         Real nearest = std::numeric_limits<Real>::infinity();
-        for (const Shape& shape : shapes_) {
-            for (const Point& q : p) {
-                nearest = std::min(nearest, std::abs(shape.distance(q)));
+        for (const Point& q : p) {
+            Phase phase = exterior_phase;
+            for (const Shape& shape : shapes_) {
+                const Phase inside = phase_inside(shape, phase);
+                if (inside == phase && !shape.divides.empty()) {
+                    continue; // the surfaces around the phases that it divides are nearer
+                }
+                const Real distance = shape.distance(q);
+                nearest = std::min(nearest, std::abs(distance));
+                phase = distance < 0 ? inside : phase;
             }
         }
         const Real h = options_.edge_length;
@@ -76,15 +97,20 @@ private:
     void cut_out(const Shape& shape) {
         evaluate(shape);
         snap(shape);
-        for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
-            while (cut(shape, t)) { // the tet keeps its id, and one half
+        for (bool is_done = false;
+             !is_done;) { // a cut may give a lower id to a tet that is not cut
+            is_done = true;
+            for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
+                while (is_within(shape, t) && cut(shape, t)) {
+                    is_done = false;
+                }
             }
         }
         // No tet after a cut, whether its id is old or new, has a crossing edge.
         bool is_seen = false;
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
-            if (is_inside(shape, t)) {
-                complex_.phases[t] = shape.phase;
+            if (is_within(shape, t) && is_inside(shape, t)) {
+                complex_.phases[t] = phase_inside(shape, complex_.phases[t]);
                 is_seen = true;
             }
         }
@@ -99,6 +125,22 @@ private:
         work_.rewiring.changed.clear();
     }
 
+    // What the shape makes of a phase.
+    [[nodiscard]] static Phase phase_inside(const Shape& shape, Phase phase) {
+        if (shape.divides.empty()) {
+            return shape.phase;
+        }
+        const auto change =
+            std::find_if(shape.divides.begin(), shape.divides.end(),
+                         [&](const PhaseChange& each) { return each.from == phase; });
+        return change == shape.divides.end() ? phase : change->to;
+    }
+    // Whether the shape may change the phase of a tet.
+    [[nodiscard]] bool is_within(const Shape& shape, std::uint32_t t) const {
+        return shape.divides.empty() ||
+               phase_inside(shape, complex_.phases[t]) != complex_.phases[t];
+    }
+
     void evaluate(const Shape& shape) {
         values_.resize(complex_.vertex_bound());
         shortest_.assign(complex_.vertex_bound(), std::numeric_limits<Real>::infinity());
@@ -110,7 +152,10 @@ private:
                                   .value = dsc::to_text(values_[v]),
                                   .allowed = "finite distances everywhere in the domain"});
             }
-            if (complex_.is_boundary(Vertex{v}) && values_[v] <= 0) {
+            if (!shape.divides.empty() && complex_.is_interface(Vertex{v}) && is_on(shape, v)) {
+                values_[v] = 0; // another part of this surface has been cut there
+            }
+            if (complex_.is_boundary(Vertex{v}) && values_[v] <= 0 && shape.divides.empty()) {
                 throw InputError({.what = "a shape reaches the sides of the domain",
                                   .where = "initial_complex, at " + to_text(complex_.at(v)),
                                   .value = "a distance of " + dsc::to_text(values_[v]),
@@ -119,7 +164,9 @@ private:
         }
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
             const auto& v = complex_.tets[t].v;
-            expect_apart(t);
+            if (shape.divides.empty()) {
+                expect_apart(t);
+            }
             for (const std::uint32_t a : v) {
                 for (const std::uint32_t b : v) {
                     if (a != b) {
@@ -152,20 +199,49 @@ private:
         }
     }
 
+    // Moves vertices onto the surface: those on earlier surfaces along these.
     void snap(const Shape& shape) {
         for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
             if (!(std::abs(values_[v]) < snap_distance * shortest_[v]) ||
-                (complex_.vertices[v].flags & (vertex_boundary | vertex_interface)) != 0) {
+                complex_.is_boundary(Vertex{v}) ||
+                (complex_.is_interface(Vertex{v}) && shape.divides.empty())) {
                 continue;
             }
-            const Point to = project(shape.distance, complex_.at(v));
+            surfaces_of(v);
+            surfaces_.push_back(&shape);
+            const Point to = project_on_all(complex_.at(v));
             gather(complex_, v, work_.star);
             work_.quality.gather(complex_, work_.star);
-            if (work_.quality.worst(to) > snap_quality) {
+            const bool is_on_old = surfaces_.size() > 1;
+            if (work_.quality.worst(to) > (is_on_old ? junction_quality : snap_quality)) {
                 complex_.set_position(Vertex{v}, to);
                 values_[v] = 0;
             }
         }
+    }
+
+    // Lists the shapes on whose surface an interface vertex lies.
+    void surfaces_of(std::uint32_t v) {
+        surfaces_.clear();
+        if (complex_.is_interface(Vertex{v})) {
+            for (const Shape& shape : shapes_) {
+                if (is_on(shape, v)) {
+                    surfaces_.push_back(&shape);
+                }
+            }
+        }
+    }
+    [[nodiscard]] bool is_on(const Shape& shape, std::uint32_t v) const {
+        return std::abs(shape.distance(complex_.at(v))) < on_surface * options_.edge_length;
+    }
+    // Onto each of the listed surfaces in turn, until it stays there.
+    [[nodiscard]] Point project_on_all(Point p) const {
+        for (int round = 0; round < (surfaces_.size() > 1 ? 30 : 1); ++round) {
+            for (const Shape* shape : surfaces_) {
+                p = project(shape->distance, p);
+            }
+        }
+        return p;
     }
 
     // Cuts an edge of the tet that crosses the shape. Returns whether there was one.
@@ -184,10 +260,27 @@ private:
                 }
                 values_.resize(complex_.vertex_bound());
                 values_[made.id] = 0;
+                if (complex_.is_interface(made)) { // where the surfaces meet
+                    surfaces_of_edge(v[i], v[j]);
+                    surfaces_.push_back(&shape);
+                    if (!nudge(complex_, work_, made, project_on_all(complex_.position(made)),
+                               junction_insertion)) {
+                        beside_.push_back({made.id, complex_.position(made), surfaces_});
+                    }
+                }
                 return true;
             }
         }
         return false;
+    }
+    // Lists the shapes on whose surface both ends lie.
+    void surfaces_of_edge(std::uint32_t a, std::uint32_t b) {
+        surfaces_.clear();
+        for (const Shape& shape : shapes_) {
+            if (is_on(shape, a) && is_on(shape, b)) {
+                surfaces_.push_back(&shape);
+            }
+        }
     }
     [[nodiscard]] Point crossing(const Distance& distance, std::uint32_t a, std::uint32_t b) const {
         const Point from = complex_.at(a);
@@ -229,10 +322,8 @@ private:
     void improve() {
         Options options;
         options.edge_length = options_.edge_length;
-        options.insertion = [this](const Complex& complex, Workspace&, std::uint32_t a,
-                                   std::uint32_t b) {
-            return project_nearest(midpoint(complex.at(a), complex.at(b)));
-        };
+        options.insertion = [this](const Complex&, Workspace& work, std::uint32_t a,
+                                   std::uint32_t b) { return place_between(work, a, b); };
         Team team(1);
         PassState state{complex_, options, team};
         state.grow();
@@ -246,7 +337,27 @@ private:
                 }
             }
             repair_mesh(state, start_quality, Effort::more);
+            nudge_again();
         }
+    }
+    // The place of a new vertex on an edge of the interface: on all surfaces that meet there.
+    Point place_between(Workspace& work, std::uint32_t a, std::uint32_t b) {
+        const Point middle = midpoint(complex_.at(a), complex_.at(b));
+        surfaces_of_edge(a, b);
+        if (surfaces_.size() < 2) {
+            return surfaces_.empty() ? project_nearest(middle) : project_on_all(middle);
+        }
+        gather(complex_, a, work.star);
+        gather(complex_, work.star, work.interface_star);
+        classify(work.interface_star);
+        const StarEdge* const edge = work.interface_star.edge_to(b);
+        if (edge == nullptr || !edge->is_on_curve()) { // a chord between two vertices of curves
+            surfaces_ = {*std::min_element(
+                surfaces_.begin(), surfaces_.end(), [&](const Shape* x, const Shape* y) {
+                    return std::abs(x->distance(middle)) < std::abs(y->distance(middle));
+                })};
+        }
+        return project_on_all(middle);
     }
     [[nodiscard]] Point project_nearest(const Point& p) const {
         const Shape* nearest = nullptr;
@@ -264,12 +375,29 @@ private:
         return (to - p).norm() < 0.5 * options_.edge_length ? to : p;
     }
 
+    // Vertices may reach their places when the tets around them have become better.
+    void nudge_again() {
+        std::erase_if(beside_, [&](Beside& each) {
+            if (!complex_.is_interface(Vertex{each.vertex}) ||
+                complex_.at(each.vertex) != each.place) {
+                return true;
+            }
+            surfaces_ = each.surfaces;
+            const bool arrives = nudge(complex_, work_, Vertex{each.vertex},
+                                       project_on_all(each.place), junction_insertion);
+            each.place = complex_.at(each.vertex);
+            return arrives;
+        });
+    }
+
     std::span<const Shape> shapes_;
     const InitialOptions& options_;
     Complex complex_;
     Workspace work_;
     std::vector<Real> values_;
     std::vector<Real> shortest_;
+    std::vector<const Shape*> surfaces_; ///< scratch
+    std::vector<Beside> beside_;
 };
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <functional>
 #include <initializer_list>
 #include <span>
+#include <vector>
 
 namespace dsc3 {
 
@@ -17,10 +18,19 @@ namespace dsc3 {
 /// approximate; away from the surface it only determines how long edges may be.
 using Distance = std::function<Real(const Point&)>;
 
+/// What a shape makes of a phase.
+struct PhaseChange {
+    Phase from;
+    Phase to;
+};
+
 /// A region and its phase.
 struct Shape {
     Distance distance;
     Phase phase = 1; ///< inside; differs from the phase around it
+    /// If given, only these phases change inside the shape, and `phase` does not count: the surface
+    /// of the shape divides them, and ends at their surfaces in junction curves.
+    std::vector<PhaseChange> divides = {};
 };
 
 /// A ball.
@@ -44,7 +54,8 @@ struct InitialOptions {
 /// inside another, the later one counts. The same input gives bitwise identical meshes.
 ///
 /// \throw InputError if a side or the edge length is out of range, or a shape reaches the sides of
-/// the domain, is nearer than two edge lengths to another, or is too small for the mesh.
+/// the domain, is nearer than two edge lengths to another that it does not divide, or is too small
+/// for the mesh.
 [[nodiscard]] Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
                                       const InitialOptions& options = {});
 

@@ -42,23 +42,30 @@ bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::u
     return false;
 }
 
+// The same for a vertex on a junction curve, without which the curve goes from the target to the
+// next vertex in a straight line.
+bool is_near_curve(const Complex& complex, const InterfaceStar& interface_star,
+                   std::uint32_t target, Real deviation) {
+    const auto next = std::find_if(
+        interface_star.edges.begin(), interface_star.edges.end(),
+        [&](const StarEdge& edge) { return edge.is_on_curve() && edge.vertex != target; });
+    const Point way = complex.at(next->vertex) - complex.at(target);
+    const Point p = complex.at(interface_star.centre) - complex.at(target);
+    return way.dot(p) >= 0 && way.cross(p).norm() <= deviation * way.norm();
+}
+
+// A sheet stays a sheet, a curve a curve, and neither turns much.
 Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t target,
                         const CollapseRules& rules) {
     InterfaceStar& interface_star = work.interface_star;
     gather(complex, work.star, interface_star);
-    std::array<std::uint32_t, 2> beside{no_id, no_id};
-    for (const StarFace& face : interface_star.faces) {
-        if (face.x == target) {
-            beside[0] = face.y;
-        } else if (face.y == target) {
-            beside[1] = face.x;
-        }
-    }
-    if (beside[0] == no_id || beside[1] == no_id) {
+    const Stratum stratum = classify(interface_star);
+    const StarEdge* const edge = interface_star.edge_to(target);
+    if (edge == nullptr) {
         return Verdict::on_interface;
     }
-    if (interface_star.size() < 4 || beside[0] == beside[1] ||
-        stratum(interface_star) != Stratum::sheet) {
+    if (stratum == Stratum::point || (stratum == Stratum::curve && !edge->is_on_curve()) ||
+        interface_star.size() < 4) {
         return Verdict::changes_topology;
     }
     const Point& from = complex.at(interface_star.centre);
@@ -76,22 +83,40 @@ Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t t
         }
     }
     if (std::isfinite(rules.deviation) &&
-        !is_near(complex, interface_star, target, rules.deviation)) {
+        !(stratum == Stratum::sheet
+              ? is_near(complex, interface_star, target, rules.deviation)
+              : is_near_curve(complex, interface_star, target, rules.deviation))) {
         return Verdict::no_gain;
     }
     gather(complex, target, work.other);
     gather(complex, work.other, work.other_interface_star);
-    if (stratum(work.other_interface_star) != Stratum::sheet) {
-        return Verdict::changes_topology;
-    }
+    classify(work.other_interface_star);
     std::uint32_t common = 0;
-    for (const StarFace& face : interface_star.faces) {
-        common += work.other_interface_star.has_edge_to(face.x) ? 1U : 0U;
+    for (const StarEdge& one : interface_star.edges) {
+        if (const StarEdge* other = work.other_interface_star.edge_to(one.vertex)) {
+            ++common;
+            if (one.is_on_curve() && other->is_on_curve()) { // two curves would become one
+                return Verdict::changes_topology;
+            }
+        }
     }
-    if (common != 2) {
+    if (common != edge->faces) {
         return Verdict::changes_topology;
     }
-    for (const std::uint32_t v : beside) { // they lose a face
+    const auto& of_target = work.other_interface_star.faces;
+    for (const StarFace& face : interface_star.faces) { // a tet that is all of its phase there
+        if (std::any_of(of_target.begin(), of_target.end(), [&](const StarFace& other) {
+                return (other.x == face.x && other.y == face.y) ||
+                       (other.x == face.y && other.y == face.x);
+            })) {
+            return Verdict::changes_topology;
+        }
+    }
+    for (const StarFace& face : interface_star.faces) { // vertices beside the edge lose a face
+        if (face.x != target && face.y != target) {
+            continue;
+        }
+        const std::uint32_t v = face.x == target ? face.y : face.x;
         if (!owns(work.rewiring, v)) {
             return Verdict::on_submesh_boundary;
         }

@@ -160,7 +160,7 @@ Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
     }
     gather(complex, vertex.id, work.star);
     gather(complex, work.star, work.interface_star);
-    if (stratum(work.interface_star) != Stratum::sheet) {
+    if (!is_sheet(work.interface_star)) {
         return Verdict::changes_topology;
     }
     StarQuality& star = work.quality;

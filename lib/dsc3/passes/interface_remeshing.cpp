@@ -42,10 +42,30 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
     const auto look_at = [&](std::uint32_t v, std::uint32_t chunk, ThreadScratch& scratch) {
         gather(complex, v, scratch.star);
         gather(complex, scratch.star, scratch.interface_star);
+        const auto& faces = scratch.interface_star.faces;
+        const auto is_seen_elsewhere = [&](std::uint32_t x) {
+            return v > x && std::binary_search(vertices.begin(), vertices.end(), x);
+        };
         const Point& pv = complex.at(v);
-        for (const StarFace& face : scratch.interface_star.faces) {
+        for (const StarFace& face : faces) {
+            // In a sheet each neighbour is x of one face; at a curve it may be y of all.
+            const std::uint32_t y = face.y;
+            if (std::any_of(faces.begin(), faces.end(),
+                            [&](const StarFace& other) { return other.x == y; }) ||
+                is_seen_elsewhere(y)) {
+                continue;
+            }
+            const Real square = squared_distance(pv, complex.at(y));
+            const WantingEdge edge{square, std::min(v, y), std::max(v, y)};
+            if (square < shortest) {
+                state.short_edges[chunk].push_back(edge);
+            } else if (square > longest) {
+                state.long_edges[chunk].push_back(edge);
+            }
+        }
+        for (const StarFace& face : faces) {
             const std::uint32_t x = face.x;
-            if (v > x && std::binary_search(vertices.begin(), vertices.end(), x)) {
+            if (is_seen_elsewhere(x)) {
                 continue;
             }
             const Point& px = complex.at(x);

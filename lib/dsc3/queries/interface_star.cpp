@@ -4,6 +4,8 @@
 #include "dsc3/geometry/tet.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace dsc3 {
 
@@ -29,9 +31,9 @@ void gather(const Complex& complex, const Star& star, InterfaceStar& interface_s
     }
 }
 
-Stratum stratum(const InterfaceStar& interface_star) {
+bool is_sheet(const InterfaceStar& interface_star) {
     if (interface_star.faces.empty()) {
-        return Stratum::none;
+        return false;
     }
     std::uint32_t met = 0;
     std::uint32_t at = interface_star.faces[0].x;
@@ -40,19 +42,140 @@ Stratum stratum(const InterfaceStar& interface_star) {
         for (const StarFace& face : interface_star.faces) {
             if (face.x == at) {
                 if (next != nullptr) {
-                    return Stratum::other;
+                    return false;
                 }
                 next = &face;
             }
         }
         if (next == nullptr) {
-            return Stratum::other;
+            return false;
         }
         at = next->y;
         ++met;
     } while (at != interface_star.faces[0].x && met < interface_star.size());
-    return met == interface_star.size() && at == interface_star.faces[0].x ? Stratum::sheet
-                                                                           : Stratum::other;
+    return met == interface_star.size() && at == interface_star.faces[0].x;
+}
+
+const StarEdge* InterfaceStar::edge_to(std::uint32_t vertex) const {
+    const auto at = std::find_if(edges.begin(), edges.end(),
+                                 [&](const StarEdge& edge) { return edge.vertex == vertex; });
+    return at == edges.end() ? nullptr : &*at;
+}
+
+namespace {
+
+// Follows a sheet from a face that begins at an edge on a curve to the next edge on a curve.
+// Returns the number of faces and that edge; 0 if there is none.
+std::pair<std::uint32_t, const StarEdge*> follow(const InterfaceStar& star, const StarFace& first) {
+    const StarFace* face = &first;
+    for (std::uint32_t count = 1; count <= star.size(); ++count) {
+        const StarEdge* edge = star.edge_to(face->y);
+        if (edge->is_on_curve()) {
+            return {count, edge};
+        }
+        if (edge->as_x == no_id) {
+            break;
+        }
+        face = &star.faces[edge->as_x];
+    }
+    return {0, nullptr};
+}
+
+bool is_curve(const InterfaceStar& star) {
+    std::array<const StarEdge*, 2> ends{};
+    std::size_t count = 0;
+    for (const StarEdge& edge : star.edges) {
+        if (edge.is_on_curve()) {
+            if (count == 2) {
+                return false;
+            }
+            ends[count++] = &edge;
+        }
+    }
+    if (count != 2 || ends[0]->faces != ends[1]->faces) {
+        return false;
+    }
+    std::uint32_t seen = 0; // faces of sheets from one edge to the other
+    for (const StarFace& face : star.faces) {
+        if (face.x == ends[0]->vertex || face.x == ends[1]->vertex) {
+            const auto [size, end] = follow(star, face);
+            if (size == 0 || end->vertex == face.x) {
+                return false;
+            }
+            seen += size;
+        }
+    }
+    return seen == star.size();
+}
+
+} // namespace
+
+Stratum classify(InterfaceStar& interface_star) {
+    auto& edges = interface_star.edges;
+    edges.clear();
+    for (std::uint32_t i = 0; i < interface_star.size(); ++i) {
+        const StarFace& face = interface_star.faces[i];
+        for (const bool is_x : {true, false}) {
+            const std::uint32_t vertex = is_x ? face.x : face.y;
+            auto edge = std::find_if(edges.begin(), edges.end(),
+                                     [&](const StarEdge& one) { return one.vertex == vertex; });
+            if (edge == edges.end()) {
+                edges.push_back({vertex, 0, no_id, no_id});
+                edge = edges.end() - 1;
+            }
+            ++edge->faces;
+            (is_x ? edge->as_x : edge->as_y) = i;
+        }
+    }
+    return interface_star.faces.empty() ? Stratum::none
+           : is_sheet(interface_star)   ? Stratum::sheet
+           : is_curve(interface_star)   ? Stratum::curve
+                                        : Stratum::point;
+}
+
+StrataCounts count_strata(const Complex& complex) {
+    StrataCounts counts;
+    Star star;
+    InterfaceStar interface_star;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (!complex.is_alive(Vertex{v}) || !complex.is_interface(Vertex{v})) {
+            continue;
+        }
+        gather(complex, v, star);
+        gather(complex, star, interface_star);
+        const Stratum stratum = classify(interface_star);
+        ++(stratum == Stratum::sheet   ? counts.sheet
+           : stratum == Stratum::curve ? counts.curve
+                                       : counts.point);
+    }
+    return counts;
+}
+
+SheetNormal normal_at(const Complex& complex, const InterfaceStar& interface_star,
+                      const StarEdge& edge) {
+    const Point& centre = complex.at(interface_star.centre);
+    Point sum = Point::Zero();
+    const auto add = [&](const StarFace& face) {
+        const Point a = complex.at(face.x) - centre;
+        const Point b = complex.at(face.y) - centre;
+        sum += a.cross(b) / (a.squaredNorm() * b.squaredNorm());
+    };
+    for (const bool forward : {true, false}) {
+        const std::uint32_t first = forward ? edge.as_x : edge.as_y;
+        for (std::uint32_t i = first; i != no_id;) {
+            const StarFace& face = interface_star.faces[i];
+            add(face);
+            const StarEdge& next = *interface_star.edge_to(forward ? face.y : face.x);
+            if (next.is_on_curve()) {
+                break;
+            }
+            i = forward ? next.as_x : next.as_y;
+            if (i == first) {
+                return {unit(sum), true};
+            }
+        }
+    }
+    return {unit(sum), false};
 }
 
 Point normal(const Complex& complex, const InterfaceStar& interface_star) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interface around a vertex: the faces of its star between tets of different phases. They
-// determine its stratum.
+// determine its stratum, which is stored nowhere: a sheet between two phases, a junction curve
+// where several sheets meet, or a point where curves meet.
 #pragma once
 
 #include "dsc3/complex/star.h"
@@ -17,14 +18,28 @@ struct StarFace {
     std::uint32_t tet; ///< on the side of the higher phase
 };
 
+/// An edge of the interface at the centre of a star.
+struct StarEdge {
+    std::uint32_t vertex;
+    std::uint32_t faces; ///< number of faces of the interface at the edge
+    std::uint32_t as_x;  ///< a face of which the vertex is x, or no_id
+    std::uint32_t as_y;  ///< a face of which the vertex is y, or no_id
+
+    /// Whether more than two phases meet at it, or sheets touch.
+    [[nodiscard]] bool is_on_curve() const { return faces != 2; }
+};
+
 /// The faces of the interface at a vertex.
 struct InterfaceStar {
     std::uint32_t centre = no_id;
     std::vector<StarFace> faces;
+    std::vector<StarEdge> edges; ///< filled by `classify`
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(faces.size()); }
     /// Whether the interface has the edge from the centre to this vertex. O(size).
     [[nodiscard]] bool has_edge_to(std::uint32_t vertex) const;
+    /// The entry of `edges` of a vertex; null if there is none. O(size).
+    [[nodiscard]] const StarEdge* edge_to(std::uint32_t vertex) const;
 };
 
 /// The star of the centre of a star. O(degree).
@@ -34,15 +49,37 @@ void gather(const Complex& complex, const Star& star, InterfaceStar& interface_s
 enum class Stratum : std::uint8_t {
     none,  ///< no interface
     sheet, ///< one closed disc of faces: between two phases
-    other, ///< a junction curve, an end of one, or sheets that touch
+    curve, ///< sheets that meet along two edges, in both of which the same number of them meets
+    point, ///< anything else: junction curves that meet or end, or sheets that touch
 };
 
-/// Derived from the star alone. O(size^2).
-[[nodiscard]] Stratum stratum(const InterfaceStar& interface_star);
+/// Whether the faces are one closed disc. O(size^2).
+[[nodiscard]] bool is_sheet(const InterfaceStar& interface_star);
+
+/// Fills `edges`, and derives the stratum from the star alone. O(size^2).
+Stratum classify(InterfaceStar& interface_star);
+
+/// The number of vertices of each stratum of the interface.
+struct StrataCounts {
+    std::uint32_t sheet = 0;
+    std::uint32_t curve = 0;
+    std::uint32_t point = 0;
+};
+/// Counts them. O(mesh).
+[[nodiscard]] StrataCounts count_strata(const Complex& complex);
 
 /// The unit normal of the interface at the centre of the star, towards the lower phase. Weighted
 /// such that it is exact where all vertices lie on a sphere: N. Max, "Weights for computing vertex
 /// normals from facet normals" (1999).
 [[nodiscard]] Point normal(const Complex& complex, const InterfaceStar& interface_star);
+
+/// The normal of one sheet at a vertex.
+struct SheetNormal {
+    Point normal;           ///< with the weights of `normal`
+    bool is_closed = false; ///< whether the sheet closes around the vertex: else it ends at curves
+};
+/// The normal of the sheet that has the edge, which is on no curve, of a classified star. O(size).
+[[nodiscard]] SheetNormal normal_at(const Complex& complex, const InterfaceStar& interface_star,
+                                    const StarEdge& edge);
 
 } // namespace dsc3

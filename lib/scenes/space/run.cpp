@@ -200,6 +200,7 @@ private:
     void measure_end() {
         RunResult& r = result_;
         r.tets_last = complex_.tet_count();
+        r.strata_last = dsc3::count_strata(complex_);
         r.volume_last = volume();
         r.volume_exact_last = setup_.volume_last;
         r.interface_vertices_last = static_cast<std::uint32_t>(simulation_->interface().size());
@@ -302,6 +303,10 @@ std::string to_json(const RunResult& r) {
         {"moves", r.sum.moves},
         {"treated", r.sum.treated},
         {"treated_together", r.sum.treated_together},
+        {"strata_last",
+         {{"sheet", r.strata_last.sheet},
+          {"curve", r.strata_last.curve},
+          {"point", r.strata_last.point}}},
         {"operations",
          {{"splits", done.splits},
           {"collapses", done.collapses},

@@ -48,6 +48,7 @@ struct RunResult {
     double first_step_us = 0;
     double step_us_median = 0;
     std::uint64_t mesh_hash = 0;
+    dsc3::StrataCounts strata_last;           ///< vertices of the interface
     std::optional<dsc3::Parallel> parallel{}; ///< none: sequential
 
     /// Whether no invariant was broken, and all vertices arrived.

@@ -68,14 +68,24 @@ void add_file(const TableReader& reader, [[maybe_unused]] KnownShape& known) {
 }
 
 KnownShape shape_of(const TableReader& reader) {
-    const std::vector<std::string> kinds{"sphere", "box", "ellipsoid", "torus", "file"};
+    const std::vector<std::string> kinds{"sphere", "box", "ellipsoid", "torus", "plane", "file"};
     const std::string kind = reader.one_of(kinds);
-    std::vector<std::string> keys{kind, "phase"};
+    std::vector<std::string> keys{kind, "phase", "divides"};
     if (kind == "file") {
         keys.insert(keys.end(), {"scale", "move"});
     }
     reader.allow(keys);
     KnownShape known{.shape = {.distance = {}, .phase = reader.phase_or(1, "phase")}};
+    if (reader.has("divides")) {
+        const std::vector<Phase> phases = reader.phases("divides");
+        if (reader.has("phase") || phases.empty() || phases.size() % 2 != 0) {
+            reader.refuse("divides", "bad value",
+                          "pairs of phases [from, to, ...], and no key phase");
+        }
+        for (std::size_t i = 0; i < phases.size(); i += 2) {
+            known.shape.divides.push_back({phases[i], phases[i + 1]});
+        }
+    }
     if (kind == "file") {
         add_file(reader, known);
         return known;
@@ -100,6 +110,20 @@ KnownShape shape_of(const TableReader& reader) {
         const dsc3::Point radii = vector_of(of, "radii", positive_length);
         known.shape.distance = dsc3::ellipsoid(vector_of(of, "centre"), radii);
         known.volume = 4.0 / 3 * pi * radii.prod();
+    } else if (kind == "plane") {
+        of.allow({"point", "normal"});
+        const dsc3::Point normal = vector_of(of, "normal");
+        if (!(normal.norm() > 0)) {
+            of.refuse("normal", "bad value", "a direction");
+        }
+        known.shape.distance = [point = vector_of(of, "point"),
+                                normal = dsc3::Point(normal.normalized())](const dsc3::Point& p) {
+            return normal.dot(p - point);
+        };
+        if (known.shape.divides.empty()) {
+            reader.refuse("plane", "a plane has no inside of its own",
+                          "divides = [1, 2]: phase 1 becomes 2 where the normal does not point");
+        }
     } else {
         of.allow({"centre", "axis", "radius", "tube"});
         const double radius = of.number("radius", positive_length);

@@ -9,13 +9,15 @@
 //     low  = [0, 0, 0]           # the corner with the smallest coordinates; this is the default
 //
 //     [shape]                    # or several [[shape]]: inside each other, the later one counts
-//     sphere    = { centre = [0.3, 0.3, 0.3], radius = 0.15 }    # or one of the next four
+//     sphere    = { centre = [0.3, 0.3, 0.3], radius = 0.15 }    # or one of the next
 //     box       = { low = [0.2, 0.2, 0.2], high = [0.4, 0.5, 0.4] }
 //     ellipsoid = { centre = [0.5, 0.5, 0.5], radii = [0.3, 0.2, 0.1] }
 //     torus     = { centre = [0.5, 0.5, 0.5], axis = [0, 0, 1], radius = 0.25, tube = 0.1 }
 //     file      = "bunny.stl"    # closed; also .ply, .obj; relative to the scene file
 //     scale, move = 0.01, [0.5, 0.5, 0]     # of the surface in `file`: first scaled, then moved
 //     phase     = 1
+//     plane     = { point = [0.3, 0.3, 0.3], normal = [1, 0, 0] } # with divides
+//     divides   = [1, 2]         # phase 1 becomes 2 inside: in junction curves the surfaces meet
 //
 //     [flow]                     # formulas in x, y, z, t, the parameters and pi, h, period
 //     u, v, w   = "-y", "x", "0"

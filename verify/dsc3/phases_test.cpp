@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// Several phases that meet: a ball that one, two or three planes through its centre divide. Sheets
+// meet in junction curves (circles and diameters), and those in points.
+#include "dsc3/dsc3.h"
+#include "support/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace dsc3::test::phases_test {
+namespace {
+
+constexpr double h = 1.0 / 20;
+constexpr double radius = 0.2;
+const Point centre(0.35, 0.36, 0.37);
+// Planes at right angles, tilted away from the lattice.
+const Eigen::Matrix3d planes =
+    (Eigen::AngleAxisd(0.2, Point::UnitX()) * Eigen::AngleAxisd(0.3, Point::UnitY()))
+        .toRotationMatrix();
+
+Distance plane(int k) {
+    return [k](const Point& p) { return (p - centre).dot(planes.col(k)); };
+}
+
+Complex divided_ball(int cuts) {
+    const std::vector<Shape> shapes{{ball(centre, radius), 1},
+                                    {plane(0), 1, {{1, 2}}},
+                                    {plane(1), 1, {{1, 3}, {2, 4}}},
+                                    {plane(2), 1, {{1, 5}, {2, 6}, {3, 7}, {4, 8}}}};
+    return initial_complex({}, std::span(shapes).first(std::size_t(cuts) + 1), {.edge_length = h});
+}
+
+// How far the vertices of junction curves are from the two nearest of the surfaces, at most; points
+// from the three nearest.
+double off_curves(const Complex& complex, const Point& moved, int cuts) {
+    double most = 0;
+    Star star;
+    InterfaceStar interface_star;
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (!complex.is_alive(Vertex{v}) || !complex.is_interface(Vertex{v})) {
+            continue;
+        }
+        gather(complex, v, star);
+        gather(complex, star, interface_star);
+        const Stratum stratum = classify(interface_star);
+        const Point p = complex.at(v) - moved;
+        std::vector<double> d{std::abs((p - centre).norm() - radius)};
+        for (int k = 0; k < cuts; ++k) {
+            d.push_back(std::abs(plane(k)(p)));
+        }
+        std::sort(d.begin(), d.end());
+        most = std::max(most, stratum == Stratum::sheet   ? 0
+                              : stratum == Stratum::curve ? d[1]
+                                                          : d[2]);
+    }
+    return most;
+}
+
+void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
+    using std::numbers::pi;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Point p = pi * positions[i];
+        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
+        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
+        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
+                              -d.x() * d.y() * s.z() * s.z());
+    }
+}
+
+constexpr std::array<std::uint32_t, 4> points_of{0, 0, 2, 7};
+
+TEST(Phases3, DividedBallsBeginWithExactCurves) {
+    for (const int cuts : {1, 2, 3}) {
+        const Complex complex = divided_ball(cuts);
+        const ValidationReport report = validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+        ASSERT_EQ(report.surfaces.size(), (1U << unsigned(cuts)) + 1);
+        const double part = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3) / (1 << cuts);
+        for (std::size_t i = 1; i < report.surfaces.size(); ++i) {
+            EXPECT_EQ(report.surfaces[i].euler_characteristic, 2);
+            EXPECT_NEAR(phase_volume(complex, report.surfaces[i].phase) / part, 1, 0.04);
+        }
+        const StrataCounts strata = count_strata(complex);
+        EXPECT_GT(strata.curve, 20U * unsigned(cuts));
+        EXPECT_EQ(strata.point, points_of[std::size_t(cuts)]);
+        EXPECT_LT(off_curves(complex, Point::Zero(), cuts), 1e-10);
+        EXPECT_GT(mesh_quality(complex).min_dihedral, 9) << cuts << " cuts";
+    }
+}
+
+TEST(Phases3, ATranslationKeepsCurvesAndPointsExactly) {
+    Complex complex = divided_ball(3);
+    std::array<double, 9> before{};
+    for (Phase phase = 1; phase <= 8; ++phase) {
+        before[phase] = phase_volume(complex, phase);
+    }
+    Simulation simulation(complex, {.edge_length = h});
+    const Point velocity(0.2, 0.15, 0.1);
+    const int steps = dsc::test::are_asked_for("few") ? 4 : 16;
+    for (int k = 0; k < steps; ++k) {
+        const StepReport report =
+            simulation.step([&](std::span<const Point> p, double,
+                                std::span<Point> w) { std::fill_n(w.begin(), p.size(), velocity); },
+                            0, 0.05);
+        EXPECT_EQ(report.unreached, 0U);
+        ASSERT_TRUE(validate(complex).ok()) << validate(complex).problem;
+        ASSERT_EQ(count_strata(complex).point, 7U) << "step " << k;
+    }
+    EXPECT_LT(off_curves(complex, 0.05 * steps * velocity, 3), 1e-10);
+    for (Phase phase = 1; phase <= 8; ++phase) {
+        EXPECT_NEAR(phase_volume(complex, phase) / before[phase], 1, 2e-3) << "phase " << phase;
+    }
+    EXPECT_GT(mesh_quality(complex).min_dihedral, 5);
+}
+
+// The flow stretches curves and brings points together; strata survive it, and threads change
+// nothing.
+TEST(Phases3, StrataSurviveASwirl) {
+    const int steps = dsc::test::are_asked_for("few") ? 3 : 8;
+    std::array<std::uint64_t, 2> hashes{};
+    for (const std::uint32_t threads : {1U, 3U}) {
+        Complex complex = divided_ball(3);
+        Simulation simulation(complex, {.edge_length = h}, Parallel{.threads = threads});
+        OperationCounts done;
+        for (int k = 0; k < steps; ++k) {
+            const StepReport report = simulation.step(swirl, 0, 0.04);
+            EXPECT_EQ(report.unreached, 0U);
+            done += report.operations;
+            const ValidationReport valid = validate(complex);
+            ASSERT_TRUE(valid.ok()) << valid.problem;
+            for (const PhaseSurface& surface : valid.surfaces) {
+                ASSERT_EQ(surface.euler_characteristic, surface.phase == 0 ? 4 : 2) << "step " << k;
+            }
+            ASSERT_EQ(count_strata(complex).point, 7U) << "step " << k;
+        }
+        EXPECT_GT(done.interface_splits, 50U);
+        hashes[threads / 2] = mesh_hash(complex);
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+// A vertex of a curve collapses only along its curve, a point never.
+TEST(Phases3, GuardsKeepStrata) {
+    Complex complex = divided_ball(2);
+    Workspace work;
+    Star star;
+    InterfaceStar interface_star;
+    std::array<std::uint32_t, 3> legal{}; // off a curve, along it, at a point
+    const CollapseRules any{.floor = 1e-6, .enough = 1e-6, .min_cos = -1, .deviation = 1};
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (!complex.is_interface(Vertex{v})) {
+            continue;
+        }
+        gather(complex, v, star);
+        gather(complex, star, interface_star);
+        const Stratum stratum = classify(interface_star);
+        for (const StarEdge& edge : interface_star.edges) {
+            const bool is_legal = edge_collapse_guard(complex, work, Vertex{v}, Vertex{edge.vertex},
+                                                      any) == Verdict::legal;
+            if (stratum == Stratum::point) {
+                legal[2] += is_legal ? 1U : 0U;
+            } else if (stratum == Stratum::curve) {
+                legal[edge.is_on_curve() ? 1 : 0] += is_legal ? 1U : 0U;
+            }
+        }
+    }
+    EXPECT_EQ(legal[0], 0U);
+    EXPECT_GT(legal[1], 20U);
+    EXPECT_EQ(legal[2], 0U);
+}
+
+TEST(Phases3, NewVerticesLieOnCurvesAndOnSheetsBesideThem) {
+    const Complex complex = divided_ball(1); // one circle
+    Workspace work;
+    Star star;
+    InterfaceStar interface_star;
+    std::array<double, 2> straight{}; // on the circle; on the sphere beside it
+    std::array<double, 2> curved{};
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (!complex.is_interface(Vertex{v})) {
+            continue;
+        }
+        gather(complex, v, star);
+        gather(complex, star, interface_star);
+        if (classify(interface_star) != Stratum::curve) {
+            continue;
+        }
+        for (const StarEdge& edge : interface_star.edges) {
+            const Point& to = complex.at(edge.vertex);
+            if (std::abs((to - centre).norm() - radius) > 1e-9) {
+                continue; // in the plane
+            }
+            const Point chord = midpoint(complex.at(v), to);
+            const Point place = curved_middle(complex, work, v, edge.vertex);
+            const std::size_t i = edge.is_on_curve() ? 0 : 1;
+            straight[i] = std::max(straight[i], std::abs((chord - centre).norm() - radius));
+            curved[i] = std::max(curved[i], std::abs((place - centre).norm() - radius));
+        }
+    }
+    EXPECT_GT(straight[0], 1e-3);
+    EXPECT_LT(curved[0], 0.1 * straight[0]);
+    EXPECT_GT(straight[1], 1e-3);
+    EXPECT_LT(curved[1], 0.4 * straight[1]);
+}
+
+} // namespace
+} // namespace dsc3::test::phases_test
