@@ -76,6 +76,31 @@ TEST(Operations3, SplitsKeepPhases) {
     EXPECT_GT(done, seeds * tries / 2);
 }
 
+TEST(Operations3, ImprovingSplitsRaiseTheWorstQuality) {
+    std::map<Verdict, int> verdicts;
+    run([&](Complex& complex, Workspace& work, Pick& pick) {
+        const EdgeAt edge = pick.edge();
+        Ring ring;
+        EXPECT_TRUE(gather(complex, edge, ring));
+        const double before = worst_quality(complex, ring);
+        const std::uint32_t vertices = complex.vertex_count();
+        work.rewiring.changed.clear();
+        constexpr double gain = 1.05;
+        const Verdict verdict = improving_split(complex, work, edge, gain);
+        ++verdicts[verdict];
+        EXPECT_EQ(complex.vertex_count(), vertices + (verdict == Verdict::legal ? 1 : 0));
+        EXPECT_EQ(work.rewiring.changed.size(), verdict == Verdict::legal ? 2 * ring.size : 0);
+        for (const std::uint32_t t : work.rewiring.changed) {
+            EXPECT_GT(quality_of(complex, t), gain * before);
+        }
+        return if_legal(verdict, Change::mesh);
+    });
+    for (const Verdict verdict :
+         {Verdict::legal, Verdict::no_gain, Verdict::on_boundary, Verdict::on_interface}) {
+        EXPECT_TRUE(verdicts[verdict] > 0 || seeds < 24) << dsc::to_string(verdict);
+    }
+}
+
 TEST(Operations3, CollapsesKeepTopology) {
     std::map<Verdict, int> verdicts;
     run([&](Complex& complex, Workspace& work, Pick& pick) {
@@ -167,7 +192,10 @@ TEST(Operations3, SmoothingRaisesTheWorstQuality) {
         const Verdict verdict = smooth(complex, work, Vertex{v});
         if (verdict == Verdict::legal) {
             EXPECT_GT(worst(), before);
+            EXPECT_EQ(work.rewiring.changed.size(), pick.star.corners.size())
+                << "its tets are listed, since some of them got worse";
         }
+        work.rewiring.changed.clear();
         EXPECT_NE(smooth(complex, work, Vertex{v}), Verdict::legal) << "it has settled";
         return if_legal(verdict, Change::mesh);
     });

@@ -77,7 +77,7 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
     if (version_ != complex_.version) { // the application has edited the complex
         state_.grow();
         state_.find_interface();
-        late_.clear();
+        state_.late.clear();
     }
     if (submeshes_ != nullptr) {
         state_.update_interface();
@@ -113,19 +113,23 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
     return report;
 }
 
-// The positions from which the flow moves the vertices; for vertices that did not arrive, their
-// last targets.
+// The positions from which the flow moves the vertices: their own, or those where they should be.
 void Simulation::find_origins() {
     state_.update_interface();
+    auto& late = state_.late;
+    std::erase_if(late, [&](const LateVertex& one) {
+        return !complex_.is_interface(Vertex{one.vertex}) || one.place != complex_.at(one.vertex);
+    });
+    std::sort(late.begin(), late.end(),
+              [](const LateVertex& x, const LateVertex& y) { return x.vertex < y.vertex; });
     origins_.clear();
-    auto late = late_.begin();
+    auto next = late.begin();
     for (const std::uint32_t v : state_.interface) {
-        while (late != late_.end() && late->vertex < v) {
-            ++late;
+        while (next != late.end() && next->vertex < v) {
+            ++next;
         }
-        const bool is_late =
-            late != late_.end() && late->vertex == v && late->place == complex_.at(v);
-        origins_.push_back(is_late ? late->target : complex_.at(v));
+        const bool is_late = next != late.end() && next->vertex == v;
+        origins_.push_back(is_late ? next->target : complex_.at(v));
     }
 }
 
@@ -203,9 +207,9 @@ void Simulation::transfer(dsc::Archive& archive) {
     bool is_edited = version_ != complex_.version; // since the last step
     archive(complex_, is_edited);
     version_ = complex_.version - (is_edited ? 1 : 0);
-    const std::uint64_t count = archive.length(late_.size(), 4 + 2 * sizeof(Point));
-    late_.resize(count);
-    for (Late& late : late_) {
+    const std::uint64_t count = archive.length(state_.late.size(), 4 + 2 * sizeof(Point));
+    state_.late.resize(count);
+    for (LateVertex& late : state_.late) {
         archive(late.vertex);
         archive.raw(late.place.data(), sizeof late.place);
         archive.raw(late.target.data(), sizeof late.target);
@@ -237,9 +241,9 @@ void Simulation::move(StepReport& report) {
     ++report.sub_steps;
     report.passes += arrive(state_);
     report.unreached += state_.pending.size() + held;
-    late_.clear();
+    state_.late.clear();
     for (const std::uint32_t v : state_.pending) {
-        late_.push_back({v, complex_.at(v), state_.targets[v]});
+        state_.late.push_back({v, complex_.at(v), state_.targets[v]});
     }
 }
 

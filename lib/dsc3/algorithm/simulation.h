@@ -65,12 +65,6 @@ public:
 private:
     Simulation(Complex& complex, const Options& options, const Parallel* parallel);
 
-    struct Late {
-        std::uint32_t vertex = no_id;
-        /// Its position: distinguishes it from a new vertex that reuses the id.
-        Point place = Point::Zero();
-        Point target = Point::Zero();
-    };
     template <class Work>
     void in_shares(std::size_t n, Work work);
     void find_origins();
@@ -85,8 +79,7 @@ private:
     Team team_;
     std::unique_ptr<Submeshes> submeshes_; ///< none: sequential
     PassState state_;
-    std::uint64_t version_;  ///< of the complex at the end of the last step
-    std::vector<Late> late_; ///< vertices that have not arrived, by ascending id
+    std::uint64_t version_; ///< of the complex at the end of the last step
     std::vector<Point> origins_;
     std::vector<Point> targets_;
     std::vector<std::uint8_t> held_;

@@ -2,6 +2,7 @@
 #include "dsc3/operations/edge_split.h"
 
 #include "dsc3/geometry/tet.h"
+#include "dsc3/operations/smoothing.h"
 
 #include <algorithm>
 
@@ -52,6 +53,30 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const P
     }
     ++(on_interface ? work.counts.interface_splits : work.counts.splits);
     return Vertex{v};
+}
+
+Verdict improving_split(Complex& complex, Workspace& work, const EdgeAt& edge, Real gain) {
+    const Ring& ring = work.ring;
+    if (!gather(complex, edge, work.ring)) {
+        return Verdict::no_gain;
+    }
+    if (!ring.closed) {
+        return Verdict::on_boundary;
+    }
+    for (std::uint32_t i = 1; i < ring.size; ++i) {
+        if (complex.phases[ring.tets[i]] != complex.phases[ring.tets[0]]) {
+            return Verdict::on_interface;
+        }
+    }
+    Point place = midpoint(complex.at(edge.a), complex.at(edge.b));
+    StarQuality& star = work.quality;
+    star.gather(complex, edge, ring, place);
+    constexpr int iterations = 12;
+    const Real quality = raise_worst(star, star.worst(place), place, iterations);
+    if (!(quality > gain * worst_quality(complex, ring) + 1e-6)) {
+        return Verdict::no_gain;
+    }
+    return edge_split(complex, work, edge, place).is_valid() ? Verdict::legal : Verdict::inverts;
 }
 
 bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place, Real floor) {

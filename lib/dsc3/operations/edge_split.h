@@ -12,6 +12,10 @@ namespace dsc3 {
 [[nodiscard]] Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge,
                                 const Point& place);
 
+/// Splits an edge inside a phase at the place that is best for the new tets, if their worst quality
+/// is at least `gain` times that of the tets around the edge. O(tets around the edge).
+Verdict improving_split(Complex& complex, Workspace& work, const EdgeAt& edge, Real gain);
+
 /// Moves a vertex to a point, or a half, a quarter or an eighth of the way, so that all tets of its
 /// star stay above the quality `floor`. Returns whether it arrived. O(degree).
 bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place, Real floor);

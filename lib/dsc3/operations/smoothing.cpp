@@ -11,6 +11,80 @@
 
 namespace dsc3 {
 
+namespace {
+
+struct AscentRules {
+    Real step;   // the first one, in units of the domain
+    Real enough; // the ascent ends at this quality
+    int iterations;
+    int attempts; // to find a better place, of each iteration
+};
+
+// Gradient ascent of the worst quality, which is `quality`, over parameters of the centre: the
+// centre is `place(parameters)`, and `slope` maps a gradient to a direction of the parameters. The
+// star was evaluated last at the first place. Returns the new worst quality.
+template <class Place, class Slope, class Allowed>
+Real ascend(StarQuality& star, Real quality, Point& parameters, const AscentRules& rules,
+            Place place, Slope slope, Allowed is_allowed) {
+    Real step = rules.step;
+    Point best = place(parameters);
+    for (int iteration = 0; iteration < rules.iterations && quality < rules.enough; ++iteration) {
+        const Point way = slope(star.gradient(star.worst_tet(star.size()), best));
+        const Real length = way.norm();
+        if (!(length > 1e-30)) {
+            break;
+        }
+        bool is_better = false;
+        for (int attempt = 0; attempt < rules.attempts && !is_better; ++attempt) {
+            const Point next = parameters + (step / length) * way;
+            const Point to = place(next);
+            const Real there = star.worst(to);
+            if (there > 1.0001 * quality && is_allowed(next, to)) {
+                quality = there;
+                parameters = next;
+                best = to;
+                is_better = true;
+            } else {
+                step *= 0.4;
+            }
+        }
+        if (!is_better) {
+            break;
+        }
+        step *= 1.3;
+    }
+    return quality;
+}
+
+// Lists the tets of the star as changed: all but the worst may have got worse.
+void unsettle(Complex& complex, Workspace& work) {
+    for (const Corner corner : work.star.corners) {
+        work.rewiring.changed.push_back(tet_of(corner));
+        for (const std::uint32_t v : complex.tets[tet_of(corner)].v) {
+            complex.vertices[v].flags &= ~static_cast<std::uint32_t>(vertex_settled);
+        }
+    }
+}
+
+} // namespace
+
+Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations) {
+    const Point mean = star.mean();
+    if (const Real there = star.worst(mean); there > quality) {
+        quality = there;
+        place = mean;
+    } else {
+        star.worst(place);
+    }
+    const AscentRules rules{.step = 0.2 * star.length(),
+                            .enough = std::numeric_limits<Real>::infinity(),
+                            .iterations = iterations,
+                            .attempts = 3};
+    const auto same = [](const Point& p) { return p; };
+    return ascend(star, quality, place, rules, same, same,
+                  [](const Point&, const Point&) { return true; });
+}
+
 Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations) {
     VertexRecord& record = complex.vertices[vertex.id];
     if ((record.flags & vertex_interface) != 0) {
@@ -28,49 +102,14 @@ Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations)
     star.gather(complex, work.star);
     Point best = record.position;
     const Real before = star.worst(best);
-    Real quality = before;
-    const Point mean = star.mean();
-    if (const Real there = star.worst(mean); there > quality) {
-        quality = there;
-        best = mean;
-    } else {
-        star.worst(best);
-    }
-    Real step = 0.2 * star.length();
-    for (int iteration = 0; iteration < iterations; ++iteration) {
-        const Point gradient = star.gradient(star.worst_tet(star.size()), best);
-        const Real slope = gradient.norm();
-        if (!(slope > 1e-30)) {
-            break;
-        }
-        bool is_better = false;
-        for (int attempt = 0; attempt < 3 && !is_better; ++attempt) {
-            const Point to = best + (step / slope) * gradient;
-            const Real there = star.worst(to);
-            if (there > 1.0001 * quality) {
-                quality = there;
-                best = to;
-                is_better = true;
-            } else {
-                step *= 0.4;
-            }
-        }
-        if (!is_better) {
-            break;
-        }
-        step *= 1.3;
-    }
+    const Real quality = raise_worst(star, before, best, iterations);
     if (!(quality > 1.001 * before + 1e-12)) {
         return Verdict::no_gain;
     }
     record.position = best;
     note_edit(complex, work.rewiring);
     ++work.counts.smoothings;
-    for (const Corner corner : work.star.corners) {
-        for (const std::uint32_t v : complex.tets[tet_of(corner)].v) {
-            complex.vertices[v].flags &= ~static_cast<std::uint32_t>(vertex_settled);
-        }
-    }
+    unsettle(complex, work);
     record.flags |= vertex_settled;
     return Verdict::legal;
 }
@@ -165,63 +204,34 @@ Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
     }
     StarQuality& star = work.quality;
     star.gather(complex, work.star);
-    Point best = complex.position(vertex);
-    const Real before = star.worst(best);
+    const Real before = star.worst(complex.position(vertex));
     if (before >= rules.enough) {
         return Verdict::no_gain;
     }
     const Quadric quadric = fit(complex, work.interface_star);
-    const auto is_allowed = [&](Real x, Real y, const Point& to) {
-        return x * x + y * y <= rules.farthest * rules.farthest &&
+    const auto is_allowed = [&](const Point& p, const Point& to) {
+        return p.squaredNorm() <= rules.farthest * rules.farthest &&
                distance_to_faces(complex, work.interface_star, to, quadric.origin) <=
                    rules.deviation &&
                distance_to_faces(complex, work.interface_star, quadric.origin, to) <=
                    rules.deviation;
     };
-    Real quality = before;
-    Real step = 0.3 * rules.farthest;
-    Real x = 0;
-    Real y = 0;
-    for (int iteration = 0; iteration < 20 && quality < rules.enough; ++iteration) {
-        const Point gradient = star.gradient(star.worst_tet(star.size()), best);
-        const Real along_x = gradient.dot(quadric.x_axis);
-        const Real along_y = gradient.dot(quadric.y_axis);
-        const Real slope = std::hypot(along_x, along_y);
-        if (!(slope > 1e-30)) {
-            break;
-        }
-        bool is_better = false;
-        for (int attempt = 0; attempt < 4 && !is_better; ++attempt) {
-            const Real to_x = x + step / slope * along_x;
-            const Real to_y = y + step / slope * along_y;
-            const Point to = quadric.at(to_x, to_y);
-            if (star.worst(to) > 1.0001 * quality && is_allowed(to_x, to_y, to)) {
-                quality = star.worst(to);
-                best = to;
-                x = to_x;
-                y = to_y;
-                is_better = true;
-            } else {
-                step *= 0.4;
-            }
-        }
-        if (!is_better) {
-            break;
-        }
-        step *= 1.3;
-    }
+    const AscentRules ascent{
+        .step = 0.3 * rules.farthest, .enough = rules.enough, .iterations = 20, .attempts = 4};
+    Point parameters = Point::Zero();
+    const Real quality = ascend(
+        star, before, parameters, ascent, [&](const Point& p) { return quadric.at(p.x(), p.y()); },
+        [&](const Point& gradient) {
+            return Point(gradient.dot(quadric.x_axis), gradient.dot(quadric.y_axis), 0);
+        },
+        is_allowed);
     if (!(quality > interface_gain * before + 1e-9)) {
         return Verdict::no_gain;
     }
-    complex.vertices[vertex.id].position = best;
+    complex.vertices[vertex.id].position = quadric.at(parameters.x(), parameters.y());
     note_edit(complex, work.rewiring);
     ++work.counts.smoothings;
-    for (const Corner corner : work.star.corners) {
-        work.rewiring.changed.push_back(tet_of(corner));
-        for (const std::uint32_t v : complex.tets[tet_of(corner)].v) {
-            complex.vertices[v].flags &= ~static_cast<std::uint32_t>(vertex_settled);
-        }
-    }
+    unsettle(complex, work);
     return Verdict::legal;
 }
 

@@ -24,4 +24,10 @@ struct AlongRules {
 Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
                                const AlongRules& rules);
 
+// --- for other operations that place a vertex ----------------------------------------------------
+
+/// Moves `place`, the centre of a star, to increase the worst quality, which is `quality` there, as
+/// `smooth` does. Returns the new worst quality. O(degree).
+[[nodiscard]] Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations);
+
 } // namespace dsc3

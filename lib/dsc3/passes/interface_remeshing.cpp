@@ -182,7 +182,9 @@ void split_long(PassState& state) {
         const Vertex v =
             edge_split(complex, state.work, at, midpoint(complex.at(edge.a), complex.at(edge.b)));
         if (v.is_valid()) {
-            nudge(complex, state.work, v, place, insertion_quality);
+            if (!nudge(complex, state.work, v, place, insertion_quality)) {
+                state.late.push_back({v.id, complex.position(v), place});
+            }
         }
     }
 }

@@ -10,7 +10,6 @@
 #include "dsc3/passes/worst_tets.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace dsc3 {
 
@@ -91,14 +90,13 @@ private:
 
     void treat(std::uint32_t t, const RepairLists& lists) {
         ++work_.treated;
-        if (improve(t)) {
-            for (const std::uint32_t changed : work_.rewiring.changed) {
-                if (is_unfit(complex_, changed, quality_)) {
-                    lists.unfit.push_back(changed);
-                }
-            }
-        } else if (is_unfit(complex_, t, worst_tet_quality)) {
+        if (!improve(t) && is_unfit(complex_, t, worst_tet_quality)) {
             lists.unimproved.push_back(t);
+        }
+        for (const std::uint32_t changed : work_.rewiring.changed) {
+            if (is_unfit(complex_, changed, quality_)) {
+                lists.unfit.push_back(changed);
+            }
         }
         work_.rewiring.changed.clear();
     }
@@ -167,41 +165,17 @@ private:
         });
     }
 
-    // Splits one of the longest edges, if smoothing the new vertex makes it worth it. Failed
-    // attempts, which are undone, are the most expensive part, so there are few.
+    // Splits one of the longest edges.
     bool split(std::uint32_t t, const Edges& edges) {
         if (quality_of(complex_, t) >= (more_ ? 1.0 : 0.7) * quality_) {
             return false;
         }
         for (std::size_t i = 6; i-- > (more_ ? 4U : 5U);) {
-            const auto& [square, a, b] = edges[i];
-            Ring& ring = work_.ring;
-            if (!gather(complex_, {t, a, b}, ring) || !ring.closed ||
-                std::any_of(ring.tets.begin(), ring.tets.begin() + ring.size, [&](std::uint32_t o) {
-                    return complex_.phases[o] != complex_.phases[t];
-                })) {
-                continue;
+            const Verdict verdict =
+                improving_split(complex_, work_, {t, edges[i].a, edges[i].b}, split_gain);
+            if (verdict == Verdict::legal || verdict == Verdict::no_gain) {
+                return verdict == Verdict::legal;
             }
-            const Real before = worst_quality(complex_, ring);
-            const Point middle = midpoint(complex_.at(a), complex_.at(b));
-            const Vertex v = edge_split(complex_, work_, {t, a, b}, middle);
-            if (!v.is_valid()) {
-                continue;
-            }
-            smooth(complex_, work_, v, 12);
-            gather(complex_, v.id, work_.star);
-            work_.quality.gather(complex_, work_.star);
-            if (work_.quality.worst(complex_.position(v)) > split_gain * before + 1e-6) {
-                return true;
-            }
-            complex_.vertices[v.id].position = middle;
-            const CollapseRules undo{.floor = 0, .enough = -std::numeric_limits<Real>::infinity()};
-            if (edge_collapse(complex_, work_, v, Vertex{a}, undo) == Verdict::legal) {
-                --work_.counts.splits;
-                --work_.counts.collapses;
-            }
-            work_.rewiring.changed.clear();
-            return false;
         }
         return false;
     }

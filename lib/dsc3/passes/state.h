@@ -14,6 +14,14 @@
 
 namespace dsc3 {
 
+/// A vertex that is not where it should be: the flow moves it from there.
+struct LateVertex {
+    std::uint32_t vertex = no_id;
+    /// Its position: distinguishes it from a new vertex that reuses the id.
+    Point place = Point::Zero();
+    Point target = Point::Zero();
+};
+
 /// The state of a vertex in movement: one cache line.
 struct alignas(64) MovingVertex {
     std::uint32_t changed = 0; ///< the last round of roll-back in which its displacement was halved
@@ -45,9 +53,10 @@ struct PassState {
     Submeshes* submeshes = nullptr; ///< none: sequential
     Workspace work = {};
 
-    std::vector<std::uint32_t> interface = {};  ///< its vertices, by ascending id
-    std::vector<std::uint32_t> pending = {};    ///< vertices that have not arrived
-    std::vector<Point> targets = {};            ///< by vertex, for pending ones
+    std::vector<std::uint32_t> interface = {}; ///< its vertices, by ascending id
+    std::vector<std::uint32_t> pending = {};   ///< vertices that have not arrived
+    std::vector<Point> targets = {};           ///< by vertex, for pending ones
+    std::vector<LateVertex> late = {}; ///< that have not arrived, or have no room where inserted
     std::vector<std::uint32_t> unfit = {};      ///< tets to be improved
     std::vector<std::uint32_t> unimproved = {}; ///< worst tets that mesh repair left bad
     std::uint64_t unjammed = 0;                 ///< interface collapses of blocked vertices

@@ -14,6 +14,8 @@ namespace dsc3 {
 namespace {
 
 constexpr int worst_rounds = 2;
+// Tets around a worst tet are improved if their quality is below this.
+constexpr Real quality_around = 0.3;
 // Lengths are in edge lengths.
 constexpr Real short_interface_edge = 0.6;
 constexpr Real longest_move = 0.15;
@@ -24,6 +26,21 @@ constexpr Real aim = 1.3 * worst_tet_quality;
 
 bool is_bad(const Complex& complex, std::uint32_t t) {
     return complex.is_alive(Tet{t}) && quality_of(complex, t) < worst_tet_quality;
+}
+
+// Repairs the tets around, which are better than mesh repair demands, to make room for the tet.
+bool repair_around(PassState& state, std::uint32_t t) {
+    const TetRecord tet = state.complex.tets[t];
+    for (const std::uint32_t v : tet.v) {
+        gather(state.complex, v, state.work.star);
+        for (const Corner corner : state.work.star.corners) {
+            if (quality_of(state.complex, tet_of(corner)) < quality_around) {
+                state.unfit.push_back(tet_of(corner));
+            }
+        }
+    }
+    repair_mesh(state, quality_around, Effort::more);
+    return !is_bad(state.complex, t);
 }
 
 bool collapse(PassState& state, const TetRecord& tet) {
@@ -81,6 +98,9 @@ void improve_worst_tets(PassState& state) {
         state.unimproved.clear();
         for (const auto& [quality, t] : worst) {
             if (!is_bad(state.complex, t)) {
+                continue;
+            }
+            if (repair_around(state, t)) {
                 continue;
             }
             state.work.rewiring.changed.clear();

@@ -29,9 +29,10 @@ void StarQuality::put(const Complex& complex, Corner corner, std::uint32_t place
                             ac.squaredNorm() + (c - b).squaredNorm();
 }
 
-void StarQuality::gather(const Complex& complex, const Star& star, std::uint32_t without) {
-    origin_ = complex.at(star.centre);
-    size_ = static_cast<std::uint32_t>(star.corners.size());
+void StarQuality::reset(const Point& origin, std::uint32_t size) {
+    origin_ = origin;
+    size_ = size;
+    others_ = 0;
     if (lanes_.offset.size() < size_) {
         const std::size_t room = 2 * std::size_t{size_} + 64;
         for (auto* lane :
@@ -40,11 +41,25 @@ void StarQuality::gather(const Complex& complex, const Star& star, std::uint32_t
             lane->resize(room);
         }
     }
-    others_ = 0;
+}
+
+void StarQuality::gather(const Complex& complex, const Star& star, std::uint32_t without) {
+    reset(complex.at(star.centre), static_cast<std::uint32_t>(star.corners.size()));
     std::uint32_t last = size_;
     for (const Corner corner : star.corners) {
         const bool is_last = without != no_id && has_vertex(complex.tets[tet_of(corner)], without);
         put(complex, corner, is_last ? --last : others_++);
+    }
+}
+
+void StarQuality::gather(const Complex& complex, const EdgeAt& edge, const Ring& ring,
+                         const Point& place) {
+    reset(place, 2 * ring.size);
+    for (std::uint32_t i = 0; i < ring.size; ++i) {
+        for (const std::uint32_t v : {edge.a, edge.b}) {
+            const std::uint32_t t = ring.tets[i];
+            put(complex, corner_of(t, index_in(complex.tets[t], v)), others_++);
+        }
     }
 }
 

@@ -16,6 +16,9 @@ public:
     /// Gathers the faces of a star. Tets with the vertex `without` come last, so that `worst` of
     /// the first `others()` tets leaves them out. O(degree).
     void gather(const Complex& complex, const Star& star, std::uint32_t without = no_id);
+    /// Gathers the faces of the star that a vertex at `place` would have after a split of the edge.
+    /// O(tets around the edge).
+    void gather(const Complex& complex, const EdgeAt& edge, const Ring& ring, const Point& place);
     /// Number of tets.
     [[nodiscard]] std::uint32_t size() const { return size_; }
     /// Number of tets that do not have the vertex `without`.
@@ -34,6 +37,7 @@ public:
     [[nodiscard]] Real length() const;
 
 private:
+    void reset(const Point& origin, std::uint32_t size);
     void put(const Complex& complex, Corner corner, std::uint32_t place);
 
     // Of face i with vertices a, b, c relative to the origin: the determinant with the centre at p
