@@ -26,6 +26,8 @@ constexpr double swelling = -1 / (1 / shrinking - 0.02);
 constexpr double min_angle = 20 * std::numbers::pi / 180;
 /// Rounds of area correction; each leaves about a tenth of the error.
 constexpr int area_rounds = 12;
+/// Areas need no correction below this, in pixels.
+constexpr double enough_area = 1e-6;
 
 class Smoothing {
 public:
@@ -60,8 +62,7 @@ public:
             smooth(swelling);
         }
         open_junctions();
-        for (int round = 0; round < area_rounds; ++round) {
-            correct_areas();
+        for (int round = 0; round < area_rounds && correct_areas(); ++round) {
         }
         open_junctions();
     }
@@ -165,8 +166,9 @@ private:
 
     // Moves boundaries sideways so that each grain gets its area: the area that crosses a boundary
     // is its length times the difference of two numbers, one for the grain on each side. The
-    // numbers solve Poisson's equation on the graph of the grains, by conjugate gradients.
-    void correct_areas() {
+    // numbers solve Poisson's equation on the graph of the grains, by conjugate gradients. Returns
+    // whether there was anything to correct.
+    bool correct_areas() {
         std::vector<double> missing = owed_;
         std::vector<double> length;
         for (const Boundary& boundary : boundaries_) {
@@ -175,16 +177,22 @@ private:
             missing[boundary.right] += gained;
             length.push_back(static_cast<double>(boundary.sites.size()));
         }
+        if (std::ranges::none_of(missing, [](double m) { return std::abs(m) > enough_area; })) {
+            return false;
+        }
         const std::vector<double> numbers = solve(missing, length);
         for (std::size_t k = 0; k < boundaries_.size(); ++k) {
             const Boundary& boundary = boundaries_[k];
             shift(boundary, length[k] * (numbers[boundary.left] - numbers[boundary.right]));
         }
+        return true;
     }
 
+    // The equation has a solution only if the residual has no sum. Its sum is not 0 but rounding,
+    // so conjugate gradients stop well above rounding: beyond it the numbers would grow for ever.
     [[nodiscard]] std::vector<double> solve(std::vector<double> residual,
                                             const std::vector<double>& length) const {
-        constexpr double enough = 1e-10;
+        constexpr double enough = 1e-3; // of the residual that is left for the next round
         const auto dot = [](const std::vector<double>& a, const std::vector<double>& b) {
             double sum = 0;
             for (std::size_t i = 0; i < a.size(); ++i) {
