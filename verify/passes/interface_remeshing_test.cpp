@@ -351,5 +351,34 @@ TEST(Grading, FillsTheMeshBesideShortEdges) {
     EXPECT_GT(worst[1], 0.25);
 }
 
+// Arms that a flow bends, and that are much thinner than an edge. New vertices of sheets that bend
+// away from their neighbours must not leave the edges while those behind them cannot: the arms
+// would gain 2 per cent. The polygon of the markers that the flow carries gains 0.06.
+TEST(ThinArms, KeepTheirAreaWhereTheyBend) {
+    constexpr int arms = 400;
+    Outline star;
+    for (int i = 0; i < 2 * arms; ++i) {
+        const double angle = std::numbers::pi * i / arms;
+        const double radius = i % 2 == 0 ? 0.1 : 0.3;
+        star.emplace_back(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle));
+    }
+    const Velocity<double> swirl = test::pointwise<double>([](const Point<double>& p) {
+        const double x = std::numbers::pi * p.x();
+        const double y = std::numbers::pi * p.y();
+        return Point<double>(std::pow(std::sin(x), 2) * std::sin(2 * y),
+                             -std::pow(std::sin(y), 2) * std::sin(2 * x));
+    });
+    auto complex = initial_complex<double>({{0, 0}, {1, 1}}, {{star, 1}}, {.edge_length = 0.02});
+    const double area = phase_area(complex, 1);
+    Simulation<double> simulation(complex, options_for<double>(0.02));
+    std::uint64_t unreached = 0;
+    for (int step = 0; step < 20; ++step) {
+        unreached += simulation.step(swirl, 0.01 * step, 0.01).unreached;
+    }
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_NEAR(phase_area(complex, 1) / area, 1, 1e-3);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
 } // namespace
 } // namespace dsc::interface_remeshing_test

@@ -10,6 +10,7 @@
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
+#include "dsc/queries/phases.h"
 #include "dsc/sizes/rule.h"
 
 #include <algorithm>
@@ -367,8 +368,10 @@ private:
             see_from_beyond(complex_, beyond, v, curve);
         }
         const auto& options = work_.options;
-        Point<Real> point = options.insertion_function ? options.insertion_function(curve)
-                                                       : insertion_point(options.insertion, curve);
+        Point<Real> point =
+            options.insertion_function
+                ? options.insertion_function(curve)
+                : between_sheets(star, i, curve, insertion_point(options.insertion, curve));
         if (!owns_point(point)) {
             point = midpoint<Real>(curve.p1, curve.p2);
             if (!owns_point(point)) {
@@ -388,6 +391,23 @@ private:
             newest_ = result.vertex.id;
         }
         return true;
+    }
+
+    // In a row of sheets, those that bend away from their neighbour could follow the curve, and
+    // those behind them could not: films would swell. So between two sheets that are less than half
+    // an edge apart, new vertices stay on their edges.
+    Point<Real> between_sheets(const Star<Real>& star, std::uint32_t i,
+                               const CurveNeighbours<Real>& curve, const Point<Real>& point) const {
+        const Point<Real> chord = curve.p2 - curve.p1;
+        Real distances = 0; // from the chord, times its length
+        for (const std::uint32_t k :
+             {i == 0 ? star.link_size() - 1 : i - 1, i + 1 == star.link_size() ? 0 : i + 1}) {
+            if (!is_interface(complex_, Vertex{star.link[k]})) {
+                return point;
+            }
+            distances += std::abs(cross<Real>(chord, link_point(star, k) - curve.p1));
+        }
+        return distances < chord.squaredNorm() / 2 ? midpoint<Real>(curve.p1, curve.p2) : point;
     }
 
     // A new vertex must lie in the submesh that makes it, because the next colour looks for it
