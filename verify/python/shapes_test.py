@@ -52,6 +52,9 @@ class Shapes(unittest.TestCase):
         for one, number in zip(features, (7, 5, 7)):
             one["properties"]["phase"] = number
         self.assertEqual(areas(frame), {5: .12, 7: .24})
+        features[1]["properties"]["phase"] = "seven"
+        with self.assertRaisesRegex(dsc.InputError, "property phase of feature 1: not a phase: got 'seven'"):
+            areas(frame)
 
     def test_a_mesh_comes_back_from_its_own_geojson(self):
         mesh = dsc.initial_complex(DOMAIN, {2: [OUTER, HOLE], 4: HOLE}, edge_length=H)
@@ -77,12 +80,14 @@ class Shapes(unittest.TestCase):
             areas({1: ring})
 
     def test_errors_name_the_phase(self):
-        with self.assertRaisesRegex(dsc.InputError, r"shapes\[7\].*contact with shapes\[9\].* at \("):
+        with self.assertRaisesRegex(dsc.InputError, r"shapes\[7\].*contact with shapes\[9\].* at \(.*longest_border"):
             areas({7: OUTER, 9: box(.5, .5, .4, .4)})
         with self.assertRaisesRegex(dsc.InputError, r"shapes\[7\]\[1\], edge 0: two edges cross"):
             areas({7: [box(.05, .05, .1, .1), [(.2, .2), (.8, .8), (.8, .2), (.2, .8)]]})
         with self.assertRaisesRegex(dsc.InputError, r"shapes\[2\]: a geometry without an area: got LineString"):
             areas({2: Geometry("LineString", coordinates=OUTER)})
+        with self.assertRaisesRegex(dsc.InputError, r"domain: points of the wrong shape: got .* \(4,\)"):
+            dsc.initial_complex((0, 0, 1, 1), {1: OUTER}, edge_length=H)
         with self.assertRaisesRegex(dsc.InputError, "shapes: not shapes"):
             areas(OUTER)
 
@@ -170,6 +175,8 @@ class Meshio(unittest.TestCase):
                 dsc.from_meshio(self.given(**changed))
         with self.assertRaisesRegex(dsc.InputError, "no such cell data: got 'x'; allowed: 'gmsh:physical'"):
             dsc.from_meshio(self.given(), "x")
+        with self.assertRaisesRegex(dsc.InputError, "not a mesh: got 'x.msh'; allowed: what `meshio.read"):
+            dsc.from_meshio("x.msh")
 
 
 class Paths(unittest.TestCase):

@@ -161,6 +161,12 @@ class SceneBad(CommandLine):
             stream.write("[options]\nh = 0.1\n\nstpes = 9\n")
         self.expect_refusal("run", "mine.toml", words=["mine.toml:4", "'stpes'", "steps"])
 
+    def test_a_file_that_the_scene_names(self):
+        with open(self.path("mine.toml"), "w", encoding="utf-8") as stream:
+            stream.write('[options]\nh = 0.1\ndt = 0.1\nsteps = 1\n[flow]\nu = "1"\nv = "0"\n[shape]\nfile = "none.txt"\n')
+        self.expect_refusal("run", "mine.toml", words=["mine.toml: a file that the scene names", "none.txt",
+                                                       "No such file"])
+
     def test_a_step_that_no_mesh_can_follow(self):
         self.expect_refusal("run", "scaling", "--set", "h=0.02", "--set", "dt=999", "--set",
                             "steps=1", words=["sub-steps"], code=(1,))

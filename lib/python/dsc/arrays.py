@@ -95,7 +95,7 @@ def outlines(value, where):
     """A list of outlines from one outline, or from a list or tuple of arrays. Raises InputError."""
     def is_point(one):
         array = numbers(one, where)
-        return array is not None and array.ndim == 1
+        return array is not None and array.ndim < 2
 
     is_list = isinstance(value, (list, tuple)) and value and not any(map(is_point, value))
     found = [points(one, where) for one in (value if is_list else [value])]
@@ -127,7 +127,7 @@ def polygons(value, where):
 
     def is_point(one):
         array = None if hasattr(one, "__geo_interface__") or isinstance(one, dict) else numbers(one, where)
-        return array is not None and array.ndim == 1
+        return array is not None and array.ndim < 2
 
     if isinstance(value, (list, tuple)) and value and not any(map(is_point, value)):
         return [one for k, part in enumerate(value) for one in polygons(part, f"{where}[{k}]")]
@@ -165,7 +165,8 @@ def shapes(value):
         value = {}
         for k, one in enumerate(features):
             properties = one.get("properties") or {}
-            value.setdefault(properties.get("phase", k + 1), []).append(one)
+            number = phase(properties.get("phase", k + 1), f"shapes, property phase of feature {k}")
+            value.setdefault(number, []).append(one)
     return [(outline, phase(number, "shapes"), holes, name)
             for number, one in value.items()
             for name, outline, holes in polygons(one, f"shapes[{number!r}]")]

@@ -78,6 +78,9 @@ def from_meshio(mesh, phases=None):
     """
     from .mesh import Mesh
 
+    if not all(hasattr(mesh, name) for name in ("points", "cells", "cell_data")):
+        arrays.refuse("not a mesh", "from_meshio", arrays.shown(mesh),
+                      "what `meshio.read(path)` returns, or another object with points, cells and cell_data")
     data = dict(mesh.cell_data)
     if phases is None:
         phases = next((name for name in ("phase", "gmsh:physical", "medit:ref", "gmsh:geometrical") if name in data),

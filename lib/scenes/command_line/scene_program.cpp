@@ -114,6 +114,12 @@ auto read_or_refuse(const std::string& name, const std::vector<Scene>& scenes, R
     try {
         return read();
     } catch (const FileError& error) {
+        if (error.path() != name) {
+            throw InputError({.what = "a file that the scene names",
+                              .where = name,
+                              .value = error.what(),
+                              .allowed = "files that can be read, named from the scene's folder"});
+        }
         throw InputError({.what = error.what(),
                           .where = "run",
                           .value = "'" + name + "'",

@@ -26,7 +26,7 @@ TEST(Points, AreReadInPieces) {
     EXPECT_EQ(pieces[1].points.size(), 3U);
     EXPECT_TRUE(pieces[1].is_closed) << "it comes back";
     EXPECT_TRUE(read_points("0 0\n1 0\n1 1", true, "file")[0].is_closed);
-    EXPECT_TRUE(read_points("", true, "file").empty());
+    EXPECT_THROW((void)read_points("# nothing\n", true, "file"), InputError);
     for (const char* bad : {"0 0\n1", "0 0\n1 x", "0 0\n1 2 3", "0 0\nnan 0", "0 0\n1e300 0"}) {
         try {
             (void)read_points(bad, true, "file");

@@ -323,7 +323,7 @@ private:
              .allowed = std::string("outlines that do not cross themselves or each other") +
                         (loops_[first->loop].shape == loops_[second->loop].shape
                              ? ""
-                             : "; a coverage gives overlaps of shapes to one")});
+                             : "; coverage first or longest_border gives overlaps to one shape")});
     }
 
     // Approximately where two edges cross.

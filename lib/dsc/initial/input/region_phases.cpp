@@ -315,7 +315,7 @@ private:
                                    to_text(common_.at({first, second}).place),
                           .allowed = "shapes side by side, or one inside the other; a larger "
                                      "border_tolerance joins borders that are near each other, and "
-                                     "a coverage gives overlaps to one of them"});
+                                     "coverage first or longest_border gives overlaps to one"});
     }
 
     void count(const Shapes& covering, const Point<double>& middle) {

@@ -81,6 +81,12 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         points.push_back(p);
     }
     end_piece();
+    if (pieces.empty()) {
+        throw InputError({.what = "no points",
+                          .where = where,
+                          .value = quoted_excerpt(text),
+                          .allowed = "lines of two numbers x y"});
+    }
     return pieces;
 }
 
