@@ -69,6 +69,10 @@ TEST(Operations3, SplitsKeepPhases) {
         const double share = pick.random.unit();
         const Point place = complex.at(edge.a) + share * (complex.at(edge.b) - complex.at(edge.a));
         const std::uint32_t vertices = complex.vertex_count();
+        EXPECT_TRUE(gather(complex, edge, work.ring));
+        if (work.ring.closed) {
+            EXPECT_FALSE(edge_split(complex, work, edge, place + Point(10, 0, 0)).is_valid());
+        }
         const Vertex v = edge_split(complex, work, edge, place);
         EXPECT_EQ(complex.vertex_count(), vertices + (v.is_valid() ? 1 : 0));
         return v.is_valid() ? Change::mesh : Change::nothing;
@@ -129,6 +133,10 @@ TEST(Operations3, ACollapseStaysWithinItsDeviation) {
         const Verdict verdict =
             edge_collapse(complex, work, Vertex{face.v[0]}, Vertex{face.v[1]}, exact);
         by_deviation += verdict == Verdict::no_gain ? 1 : 0;
+        const CollapseRules flat{.enough = 0, .min_cos = 0.99999};
+        EXPECT_NE(edge_collapse(complex, work, Vertex{face.v[0]}, Vertex{face.v[1]}, flat),
+                  Verdict::legal)
+            << "its faces turn";
     }
     EXPECT_EQ(mesh_hash(complex), hash);
     EXPECT_GT(by_deviation, 10);
@@ -215,9 +223,13 @@ TEST(Operations3, SmoothingAlongTheInterfaceRaisesTheWorstQuality) {
             return quality;
         };
         const double before = worst();
+        InterfaceStar interface_star;
+        gather(complex, pick.star, interface_star);
+        const bool is_off_sheet = stratum(interface_star) != Stratum::sheet;
         const Verdict verdict = smooth_along_interface(
             complex, work, Vertex{v}, {.enough = 1, .farthest = 0.3, .deviation = 0.02});
         if (verdict == Verdict::legal) {
+            EXPECT_FALSE(is_off_sheet);
             EXPECT_TRUE(complex.is_interface(Vertex{v}));
             EXPECT_GT(worst(), 1.2 * before);
             EXPECT_LE((complex.at(v) - from).norm(), 0.6);

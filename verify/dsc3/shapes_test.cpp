@@ -58,6 +58,16 @@ TEST(Shapes3, HaveTheirVolumes) {
     EXPECT_THROW((void)torus(middle, {0, 0, 0}, 0.25, 0.1), InputError);
 }
 
+TEST(Shapes3, TooManyTetsAreRefusedBeforeTheyAreMade) {
+    const std::vector<Shape> shapes{{ball({0.5, 0.5, 0.5}, 0.3), 1}};
+    EXPECT_THROW((void)initial_complex({}, shapes, {.edge_length = 1.0 / 2000}), InputError);
+    const std::uint32_t tets = initial_complex({}, shapes, {.edge_length = 0.03}).tet_count();
+    EXPECT_NO_THROW(
+        (void)initial_complex({}, shapes, {.edge_length = 0.03, .max_tets = 2.0 * tets}));
+    EXPECT_THROW((void)initial_complex({}, shapes, {.edge_length = 0.03, .max_tets = 0.5 * tets}),
+                 InputError);
+}
+
 TEST(Shapes3, DistancesToASurfaceAreThoseOfItsShape) {
     const Point low(0.25, 0.3, 0.35);
     const Point high(0.75, 0.6, 0.7);

@@ -222,9 +222,36 @@ TEST(Simulation3, ABallGrowsAndItsEdgesAreSplit) {
     EXPECT_LT(most, 0.02 * h);
 }
 
-TEST(Simulation3, ANonFiniteVelocityHoldsItsVertex) {
+TEST(Simulation3, SubStepsAreShortWhereTheFlowSpeedsUp) {
+    constexpr double h = 0.08;
+    const Velocity from_rest = [](std::span<const Point> p, double time, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            w[i] = {20 * time, 0, 0};
+        }
+    };
+    Complex complex = ball_complex(h);
+    Simulation simulation(complex, {.edge_length = h});
+    EXPECT_GE(simulation.step(from_rest, 0, 0.1).sub_steps, 3U) << "0.1 / (0.4 * 1.25 h)";
+    const Velocity turning = [](std::span<const Point> p, double, std::span<Point> w) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            w[i] = 5 * Point(centre.y() - p[i].y(), p[i].x() - centre.x(), 0);
+        }
+    };
+    const Options options{.edge_length = h, .integrator = Integrator::adaptive, .tolerance = 1e-7};
+    Complex other = ball_complex(h);
+    const StepReport report = Simulation(other, options).step(turning, 0, 0.05);
+    EXPECT_GT(report.error, 0);
+    EXPECT_LE(report.error, options.tolerance * h);
+    EXPECT_GE(report.sub_steps, 4U);
+}
+
+class Held3 : public testing::TestWithParam<Integrator> {};
+INSTANTIATE_TEST_SUITE_P(Integrators, Held3,
+                         testing::Values(Integrator::euler, Integrator::midpoint, Integrator::rk4));
+
+TEST_P(Held3, ANonFiniteVelocityHoldsItsVertex) {
     Complex complex = ball_complex(0.08);
-    Simulation simulation(complex, {.edge_length = 0.08});
+    Simulation simulation(complex, {.edge_length = 0.08, .integrator = GetParam()});
     const std::uint32_t held = simulation.interface().front();
     const Point place = complex.at(held);
     const Velocity velocity = [&](std::span<const Point> p, double, std::span<Point> w) {
@@ -250,6 +277,14 @@ TEST(Simulation3, EditsBetweenStepsAreTakenAccountOf) {
     }
     EXPECT_EQ(simulation.step(uniform({0.1, 0, 0}), 0.1, 0.1).interface_vertices, 0U);
     EXPECT_TRUE(validate(complex).ok());
+    std::uint32_t inside = 1; // a new interface
+    while (!complex.is_alive(Tet{inside}) ||
+           std::any_of(complex.tets[inside].v.begin(), complex.tets[inside].v.end(),
+                       [&](std::uint32_t v) { return complex.is_boundary(Vertex{v}); })) {
+        ++inside;
+    }
+    complex.set_phase(Tet{inside}, 1);
+    EXPECT_GE(simulation.step(uniform({0, 0, 0}), 0.2, 0.1).moves, 4U);
 }
 
 TEST(Simulation3, RefusesWrongArguments) {

@@ -36,7 +36,9 @@ public:
         : shapes_(shapes), options_(options), complex_(initial::lattice(domain)) {}
 
     Complex run() {
-        initial::refine(complex_, work_, [&](const std::array<Point, 4>& p) { return limit(p); });
+        initial::refine(
+            complex_, work_, [&](const std::array<Point, 4>& p) { return limit(p); },
+            options_.max_tets);
         for (const Shape& shape : shapes_) {
             cut_out(shape);
         }

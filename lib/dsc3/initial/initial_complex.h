@@ -48,14 +48,15 @@ struct InitialOptions {
     Real growth = 0.7;       ///< of the largest edge length per distance to the nearest shape
     int improve_rounds = 4;  ///< rounds of interface remeshing and mesh repair
     bool renumber = true;    ///< order ids along a space-filling curve
+    Real max_tets = 2e7;     ///< more are refused: about four gigabytes
 };
 
 /// Fills `domain` with tets, with the surfaces of `shapes` as the interface. Where a shape lies
 /// inside another, the later one counts. The same input gives bitwise identical meshes.
 ///
-/// \throw InputError if a side or the edge length is out of range, or a shape reaches the sides of
-/// the domain, is nearer than two edge lengths to another that it does not divide, or is too small
-/// for the mesh.
+/// \throw InputError if a side or the edge length is out of range, more than `max_tets` tets are
+/// needed, or a shape reaches the sides of the domain, is nearer than two edge lengths to another
+/// that it does not divide, or is too small for the mesh.
 [[nodiscard]] Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
                                       const InitialOptions& options = {});
 

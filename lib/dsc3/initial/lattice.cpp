@@ -104,17 +104,33 @@ void bisect(Complex& complex, Workspace& work, std::uint32_t t) {
 
 } // namespace
 
-void refine(Complex& complex, Workspace& work, const LongestEdge& longest) {
+void refine(Complex& complex, Workspace& work, const LongestEdge& longest, Real max_tets) {
+    // Most tets are beside a surface once there are so many: their number then grows with the
+    // square of the edge length.
+    constexpr std::uint32_t many = 50'000;
     for (bool is_coarse = true; is_coarse;) {
         is_coarse = false;
+        Real coarsest = 1; // square of the largest ratio of an edge's length to what is allowed
         const std::uint32_t bound = complex.tet_bound();
         for (std::uint32_t t = 1; t < bound; ++t) {
             const EdgeAt edge = longest_edge(complex, t);
             const Real limit = longest(complex.positions_of(Tet{t}));
-            if (squared_distance(complex.at(edge.a), complex.at(edge.b)) > limit * limit) {
+            const Real square = squared_distance(complex.at(edge.a), complex.at(edge.b));
+            if (square > limit * limit) {
+                coarsest = std::max(coarsest, square / (limit * limit));
                 bisect(complex, work, t);
                 is_coarse = true;
             }
+        }
+        const Real needed =
+            std::max(bound > many ? bound * coarsest : 0, Real(complex.tet_bound()));
+        if (needed > max_tets) {
+            throw InputError({.what = "the first complex has too many tets",
+                              .where = "initial_complex, edge_length",
+                              .value = "about " + dsc::to_text(std::round(needed)) +
+                                       " tets, each of some 200 bytes",
+                              .allowed = "at most " + dsc::to_text(max_tets) +
+                                         " tets (`max_tets`): longer edges"});
         }
         work.rewiring.changed.clear();
     }

@@ -14,7 +14,7 @@ namespace dsc3::initial {
 using LongestEdge = std::function<Real(const std::array<Point, 4>&)>;
 
 /// Bisects tets at their longest edges until no edge is longer than allowed. Clears the interface
-/// flags of all vertices. O(tets).
-void refine(Complex& complex, Workspace& work, const LongestEdge& longest);
+/// flags of all vertices. Throws InputError as soon as it expects more than `max_tets`. O(tets).
+void refine(Complex& complex, Workspace& work, const LongestEdge& longest, Real max_tets);
 
 } // namespace dsc3::initial

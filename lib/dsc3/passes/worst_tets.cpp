@@ -28,10 +28,14 @@ bool is_bad(const Complex& complex, std::uint32_t t) {
     return complex.is_alive(Tet{t}) && quality_of(complex, t) < worst_tet_quality;
 }
 
-// Repairs the tets around, which are better than mesh repair demands, to make room for the tet.
+// Repairs the tets around its vertices inside a phase, though they are better than mesh repair
+// demands, to make room for the tet. Returns whether it is good enough then.
 bool repair_around(PassState& state, std::uint32_t t) {
     const TetRecord tet = state.complex.tets[t];
     for (const std::uint32_t v : tet.v) {
+        if (state.complex.is_interface(Vertex{v})) {
+            continue;
+        }
         gather(state.complex, v, state.work.star);
         for (const Corner corner : state.work.star.corners) {
             if (quality_of(state.complex, tet_of(corner)) < quality_around) {
