@@ -56,7 +56,7 @@ OWN = {
     "sizes": ["test_sizes", "test_figures.Sizes/GradedMesh"],
     "passes": ["test_passes", "test_warm_steps", "test_sizes"], "algorithm": ["test_algorithm", "test_passes"],
     "parallel": ["test_parallel"], "topology": ["test_topology", "test_boundary_films"],
-    "fluid": ["test_fluid"], "geometric_flows": ["test_velocities", "test_algorithm"],
+    "dsc3": ["test_dsc3", "test_enright"], "fluid": ["test_fluid"], "geometric_flows": ["test_velocities", "test_algorithm"],
     "thesis": ["test_thesis", "test_copies", "test_operations", "test_fuzz", "test_reference"],
     "io": ["test_io", "test_checkpoints"], "measures": ["test_measures"],
     "flows": ["test_figures.(Velocity|SineCosine|FlowMap|Exact|TwoDiscs|ErodedDumbbell)"],
