@@ -225,7 +225,7 @@ TEST(Operations3, SmoothingAlongTheInterfaceRaisesTheWorstQuality) {
         const double before = worst();
         InterfaceStar interface_star;
         gather(complex, pick.star, interface_star);
-        const bool is_off_sheet = stratum(interface_star) != Stratum::sheet;
+        const bool is_off_sheet = !is_sheet(interface_star);
         const Verdict verdict = smooth_along_interface(
             complex, work, Vertex{v}, {.enough = 1, .farthest = 0.3, .deviation = 0.02});
         if (verdict == Verdict::legal) {

@@ -49,8 +49,9 @@ Simulation::Simulation(Complex& complex, const Options& options, const Parallel&
 
 Simulation::Simulation(Complex& complex, const Options& options, const Parallel* parallel)
     : complex_(complex), claim_(complex.in_use), options_(checked(options)),
-      team_(parallel == nullptr ? 1 : checked(*parallel).threads), state_{complex_, options_,
-                                                                          team_},
+      team_(parallel == nullptr ? Team() : Team(checked(*parallel).threads)), state_{complex_,
+                                                                                     options_,
+                                                                                     team_},
       version_(complex.version) {
     if (parallel != nullptr) {
         submeshes_ = std::make_unique<Submeshes>(complex_, options_.edge_length, *parallel, team_);

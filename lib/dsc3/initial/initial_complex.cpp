@@ -326,7 +326,7 @@ private:
         options.edge_length = options_.edge_length;
         options.insertion = [this](const Complex&, Workspace& work, std::uint32_t a,
                                    std::uint32_t b) { return place_between(work, a, b); };
-        Team team(1);
+        Team team;
         PassState state{complex_, options, team};
         state.grow();
         state.find_interface();

@@ -22,12 +22,16 @@ public:
     /// No loop has more chunks.
     static constexpr std::size_t max_chunks = 32;
 
-    explicit Team(std::uint32_t threads) : threads_(threads) {
+    /// Without threads, loops have one chunk: the sequential method, whose order is its own.
+    Team() : threads_(1), chunks_(1) {}
+    explicit Team(std::uint32_t threads) : threads_(threads), chunks_(max_chunks) {
         if (threads > 1) {
             pool_.start(threads);
         }
     }
 
+    /// Whether loops are divided at all.
+    [[nodiscard]] bool is_parallel() const { return chunks_ > 1; }
     /// The largest number of threads, the caller included.
     [[nodiscard]] std::uint32_t size() const { return threads_; }
 
@@ -62,8 +66,8 @@ public:
     /// or more. Returns the number of chunks.
     template <class Work>
     std::uint32_t chunks(std::size_t n, std::size_t grain, Work work) {
-        const auto count = static_cast<std::uint32_t>(
-            std::clamp<std::size_t>(n / grain, n > 0 ? 1 : 0, max_chunks));
+        const auto count =
+            static_cast<std::uint32_t>(std::clamp<std::size_t>(n / grain, n > 0 ? 1 : 0, chunks_));
         each(count, [&](std::uint32_t chunk, std::uint32_t thread) {
             work(chunk, n * chunk / count, n * (chunk + 1) / count, thread);
         });
@@ -72,6 +76,7 @@ public:
 
 private:
     std::uint32_t threads_;
+    std::size_t chunks_;
     dsc::ThreadPool pool_;
     std::vector<std::exception_ptr> failures_;
 };

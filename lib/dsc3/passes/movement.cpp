@@ -3,6 +3,7 @@
 
 #include "dsc3/geometry/tet.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -48,18 +49,17 @@ private:
                 }
             });
     }
-    // Calls `work(tet, chunk, thread)` for tets of which some may have a vertex that moves; returns
-    // the number of chunks. If few vertices move, these are the tets of their stars. Otherwise it
-    // is faster to look at all tets in the order of their ids than to search for them.
+    // Calls `work(tet, chunk, thread)` for tets of which some have a vertex that moves; returns the
+    // number of chunks. If few vertices move, these are the listed tets since `seen_`. Otherwise
+    // threads look at all tets in the order of their ids, which is faster than to search for them.
     template <class Work>
     std::uint32_t scan(Work work) {
-        if (!is_dense_) {
-            list_stars();
-        }
+        const std::size_t first = is_dense_ ? 0 : seen_;
+        const std::size_t count = (is_dense_ ? complex_.tets.size() : state_.near.size()) - first;
         return team_.chunks(
-            is_dense_ ? complex_.tets.size() : state_.near.size(), scan_grain,
+            count, scan_grain,
             [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t thread) {
-                for (std::size_t k = begin; k < end; ++k) {
+                for (std::size_t k = first + begin; k < first + end; ++k) {
                     const std::uint32_t t =
                         is_dense_ ? static_cast<std::uint32_t>(k) : state_.near[k];
                     if (complex_.tets[t].v[0] != no_id) {
@@ -68,15 +68,23 @@ private:
                 }
             });
     }
-    // Adds the stars of the vertices that were entered since the last call.
-    void list_stars() {
-        for (; seen_ < state_.moving_vertices.size(); ++seen_) {
-            gather(complex_, state_.moving_vertices[seen_], state_.work.star);
-            for (const Corner corner : state_.work.star.corners) {
-                if (std::uint32_t& stamp = state_.tet_stamps[tet_of(corner)];
-                    stamp != state_.pass) {
-                    stamp = state_.pass;
-                    state_.near.push_back(tet_of(corner));
+    [[nodiscard]] bool touches(const TetRecord& tet) const {
+        return (moves_[tet.v[0]] | moves_[tet.v[1]] | moves_[tet.v[2]] | moves_[tet.v[3]]) != 0;
+    }
+    void enter_tet(std::uint32_t t) {
+        if (state_.tet_stamps[t] != state_.pass) {
+            state_.tet_stamps[t] = state_.pass;
+            state_.near.push_back(t);
+        }
+    }
+    // Lists the tets with a vertex that moves, from those listed since `first`.
+    void flood(std::size_t first) {
+        for (std::size_t k = first; k < state_.near.size(); ++k) {
+            for (const Corner corner : complex_.tets[state_.near[k]].n) {
+                const std::uint32_t t = tet_of(corner);
+                if (t != border_tet && state_.tet_stamps[t] != state_.pass &&
+                    touches(complex_.tets[t])) {
+                    enter_tet(t);
                 }
             }
         }
@@ -102,10 +110,17 @@ private:
         });
         state_.moving_vertices = state_.pending;
         state_.near.clear();
-        is_dense_ = dense_share * state_.pending.size() > complex_.tet_count();
+        is_dense_ =
+            team_.is_parallel() && dense_share * state_.pending.size() > complex_.tet_count();
         if (++state_.pass == 0) { // the counter wrapped around: old stamps would look new
             state_.tet_stamps.assign(state_.tet_stamps.size(), 0);
             state_.pass = 1;
+        }
+        if (!is_dense_) {
+            for (const std::uint32_t v : state_.pending) {
+                enter_tet(tet_of(complex_.vertices[v].corner));
+            }
+            flood(0);
         }
     }
 
@@ -119,6 +134,8 @@ private:
                                               std::uint32_t thread) {
             add_followers(complex_.tets[t], state_.followers[chunk], state_.threads[thread].places);
         });
+        const std::size_t before = seen_;
+        seen_ = state_.near.size();
         auto& listed = state_.listed;
         listed.clear();
         for (std::uint32_t chunk = 0; chunk < chunks; ++chunk) {
@@ -143,6 +160,9 @@ private:
             enter(v);
         });
         state_.moving_vertices.insert(state_.moving_vertices.end(), listed.begin(), listed.end());
+        if (!is_dense_) {
+            flood(before);
+        }
     }
     void add_followers(const TetRecord& tet, std::vector<Follower>& followers,
                        std::vector<std::uint32_t>& places) {
@@ -152,12 +172,6 @@ private:
         const int count = moves[0] + moves[1] + moves[2] + moves[3];
         if (count == 0 || count == 4) {
             return;
-        }
-        Point way = Point::Zero();
-        for (std::uint32_t i = 0; i < 4; ++i) {
-            if (moves[i] != 0) {
-                way += moving_[v[i]].way;
-            }
         }
         for (std::uint32_t i = 0; i < 4; ++i) {
             if (moves[i] != 0 ||
@@ -170,7 +184,11 @@ private:
                 place = static_cast<std::uint32_t>(followers.size());
                 followers.push_back({Point::Zero(), v[i], 0});
             }
-            followers[place].way += way;
+            for (std::uint32_t j = 0; j < 4; ++j) {
+                if (moves[j] != 0) {
+                    followers[place].way += moving_[v[j]].way;
+                }
+            }
             followers[place].count += static_cast<std::uint32_t>(count);
         }
     }
@@ -178,17 +196,22 @@ private:
     // Lists all tets with a vertex that moves.
     void list_near() {
         if (!is_dense_) {
-            list_stars();
             return;
         }
         clear(state_.lists);
+        clear(state_.lists_beyond);
         const std::uint32_t chunks = scan([&](std::uint32_t t, std::uint32_t chunk, std::uint32_t) {
             const auto& v = complex_.tets[t].v;
-            if ((moves_[v[0]] | moves_[v[1]] | moves_[v[2]] | moves_[v[3]]) != 0) {
-                state_.lists[chunk].push_back(t);
+            if (!touches(complex_.tets[t])) {
+                return;
             }
+            const bool is_beside = std::any_of(v.begin(), v.end(), [&](std::uint32_t x) {
+                return complex_.is_interface(Vertex{x});
+            });
+            (is_beside ? state_.lists : state_.lists_beyond)[chunk].push_back(t);
         });
-        append_chunks(state_.near, state_.lists, chunks);
+        append_chunks(state_.near, state_.lists, chunks); // in this order they are repaired
+        append_chunks(state_.near, state_.lists_beyond, chunks);
     }
 
     void go() {
@@ -287,7 +310,7 @@ private:
     std::vector<MovingVertex>& moving_;
     Real move_quality_;
     bool is_dense_ = true;
-    std::size_t seen_ = 0; ///< moving vertices whose stars are listed
+    std::size_t seen_ = 0; ///< listed tets whose vertices have been looked at
 };
 
 } // namespace

@@ -78,6 +78,7 @@ struct PassState {
     std::vector<std::uint32_t> listed = {};
     // Scratch of loops in chunks.
     ByChunk<std::uint32_t> lists = {};
+    ByChunk<std::uint32_t> lists_beyond = {};
     ByChunk<WantingEdge> short_edges = {};
     ByChunk<WantingEdge> long_edges = {};
     ByChunk<WantingEdge> flips = {};

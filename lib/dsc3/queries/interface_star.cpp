@@ -153,6 +153,9 @@ StrataCounts count_strata(const Complex& complex) {
 
 SheetNormal normal_at(const Complex& complex, const InterfaceStar& interface_star,
                       const StarEdge& edge) {
+    if (is_sheet(interface_star)) {
+        return {normal(complex, interface_star), true};
+    }
     const Point& centre = complex.at(interface_star.centre);
     Point sum = Point::Zero();
     const auto add = [&](const StarFace& face) {

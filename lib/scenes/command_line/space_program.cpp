@@ -23,8 +23,9 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
             throw InputError({.what = "not supported for scenes in three dimensions",
                               .where = "run " + scene.name,
                               .value = option,
-                              .allowed = "--set, --threads, --submeshes, --json, --frames, --every, "
-                                         "--at, --checkpoint, --resume and --stop-after"});
+                              .allowed =
+                                  "--set, --threads, --submeshes, --json, --frames, --every, "
+                                  "--at, --checkpoint, --resume and --stop-after"});
         }
     }
     if (origin.strategy != Strategy::sequential && origin.strategy != Strategy::cells) {
