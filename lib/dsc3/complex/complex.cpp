@@ -56,7 +56,8 @@ std::uint32_t Complex::take_tet() {
 }
 
 void Complex::reserve_ids(std::size_t free_vertex_ids, std::size_t free_tet_ids) {
-    // Half as many more, so that this happens seldom. Old ids are used before new ones.
+    // Half as many more ids are made than are missing, so that arrays grow seldom. Old ids are used
+    // before new ones.
     const auto extend = [](std::vector<std::uint32_t>& free, std::size_t wanted,
                            std::uint32_t bound) {
         const std::size_t more = wanted > free.size() ? (wanted - free.size()) * 3 / 2 + 1 : 0;

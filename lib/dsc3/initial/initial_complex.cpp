@@ -127,7 +127,7 @@ private:
         work_.rewiring.changed.clear();
     }
 
-    // What the shape makes of a phase.
+    // The phase of what lies inside the shape and had this phase before.
     [[nodiscard]] static Phase phase_inside(const Shape& shape, Phase phase) {
         if (shape.divides.empty()) {
             return shape.phase;
@@ -201,7 +201,7 @@ private:
         }
     }
 
-    // Moves vertices onto the surface: those on earlier surfaces along these.
+    // Moves vertices onto the surface; those on earlier surfaces stay on them.
     void snap(const Shape& shape) {
         for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
             if (!(std::abs(values_[v]) < snap_distance * shortest_[v]) ||
@@ -236,7 +236,7 @@ private:
     [[nodiscard]] bool is_on(const Shape& shape, std::uint32_t v) const {
         return std::abs(shape.distance(complex_.at(v))) < on_surface * options_.edge_length;
     }
-    // Onto each of the listed surfaces in turn, until it stays there.
+    // Projects p onto each of the listed surfaces in turn, until it stays where they meet.
     [[nodiscard]] Point project_on_all(Point p) const {
         for (int round = 0; round < (surfaces_.size() > 1 ? 30 : 1); ++round) {
             for (const Shape* shape : surfaces_) {

@@ -19,7 +19,7 @@ constexpr Real large_extent = 60;
 // A sample is enough to find cuts.
 constexpr std::size_t sample_size = 1500;
 constexpr std::size_t min_sample = 16;
-// Price of shares that are not equal: of the first colour, and of the others, which have less work.
+// The price of unequal shares: in the first colour, and in the others, which have less work.
 constexpr Real balance_price = 0.5;
 constexpr Real later_balance_price = 0.2;
 

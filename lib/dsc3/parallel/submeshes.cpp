@@ -10,7 +10,7 @@ namespace dsc3 {
 
 namespace {
 
-// Ids for a submesh, for each of its items and at least.
+// The free ids that a submesh gets: for each of its items, and at least.
 constexpr std::size_t tets_each = 2;
 constexpr std::size_t vertices_each = 4; // items for each vertex
 constexpr std::size_t min_vertices = 16;

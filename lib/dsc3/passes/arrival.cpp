@@ -20,7 +20,7 @@ constexpr Real blocking_quality = 0.35;
 // The quality threshold of movement falls by this factor in each pass, down to this minimum.
 constexpr Real move_factor = 0.3;
 constexpr Real min_move = 1e-5;
-// Collapses of blocked vertices; the length is in edge lengths.
+// Interface edges at blocked vertices are collapsed if they are shorter than this, in edge lengths.
 constexpr Real unjam_length = 0.8;
 constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.3};
 
