@@ -220,7 +220,8 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
         const CollapseRules rules{.floor = floor, .enough = floor, .min_cos = -1};
         const Asked asked = compare(
             [&](const Complex& complex, const EdgeAt& edge) -> Answer {
-                const auto [tet, v, to] = edge;
+                const std::uint32_t v = edge.a;
+                const std::uint32_t to = edge.b;
                 const Tets before = tets_of(complex);
                 const bool on_interface = is_interface(before, v);
                 if (is_boundary(before, {v}) ||
