@@ -93,6 +93,31 @@ TEST(Phases3, DividedBallsBeginWithExactCurves) {
     }
 }
 
+// A core that covers the middle of a dividing plane: the circle in which they meet is a curve, and
+// nothing of the plane is left within.
+TEST(Phases3, AShapeCoversAPartOfAnEarlierOne) {
+    Complex complex = initial_complex({},
+                                      {{ball(centre, radius), 1},
+                                       {plane(0), 1, {{1, 2}}},
+                                       {ball(centre, 0.5 * radius), 1, {{1, 3}, {2, 3}}}},
+                                      {.edge_length = 0.6 * h});
+    const ValidationReport report = validate(complex);
+    ASSERT_TRUE(report.ok()) << report.problem;
+    ASSERT_EQ(report.surfaces.size(), 4U);
+    EXPECT_EQ(report.surfaces[3].euler_characteristic, 2);
+    EXPECT_EQ(count_strata(complex).point, 0U);
+    EXPECT_NEAR(phase_volume(complex, 3), 4.0 / 3 * std::numbers::pi * std::pow(0.5 * radius, 3),
+                2e-4);
+    Simulation simulation(complex, {.edge_length = 0.6 * h});
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(simulation.step(swirl, 0, 0.02).unreached, 0U);
+        ASSERT_TRUE(validate(complex).ok()) << validate(complex).problem;
+    }
+    EXPECT_THROW((void)initial_complex({}, {{ball(centre, radius), 1}, {plane(0), 1, {{4, 2}}}},
+                                       {.edge_length = h}),
+                 InputError);
+}
+
 TEST(Phases3, ATranslationKeepsCurvesAndPointsExactly) {
     Complex complex = divided_ball(3);
     std::array<double, 9> before{};

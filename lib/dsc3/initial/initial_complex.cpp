@@ -116,6 +116,13 @@ private:
                 is_seen = true;
             }
         }
+        if (!is_seen && !shape.divides.empty()) {
+            throw InputError({.what = "a shape divides no phase",
+                              .where = "initial_complex",
+                              .value = "no tet inside it has phase " +
+                                       std::to_string(shape.divides.front().from),
+                              .allowed = "phases that earlier shapes have there"});
+        }
         if (!is_seen) {
             throw InputError(
                 {.what = "a shape is too small for the mesh",
@@ -308,7 +315,11 @@ private:
         return sum != 0 ? sum < 0 : shape.distance(centre) < 0;
     }
 
+    // Marks the vertices of the interface; the shape may have covered a part of an earlier one.
     void mark() {
+        for (VertexRecord& vertex : complex_.vertices) {
+            vertex.flags &= ~static_cast<std::uint32_t>(vertex_interface);
+        }
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
             for (std::uint32_t i = 0; i < 4; ++i) {
                 const Corner other = complex_.tets[t].n[i];
