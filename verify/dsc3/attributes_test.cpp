@@ -2,7 +2,7 @@
 // Attributes in three dimensions follow every edit, and runs resumed from checkpoints are bitwise
 // identical.
 #include "dsc/complex/numbering.h"
-#include "dsc3/dsc3.h"
+#include "dsc3/space_testing.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,6 @@ constexpr double h = 0.08;
 const Point centre(0.35, 0.35, 0.35);
 
 Complex ball_complex() { return initial_complex({}, {{ball(centre, 0.2), 1}}, {.edge_length = h}); }
-
-void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
-    using std::numbers::pi;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Point p = pi * positions[i];
-        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
-        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
-        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
-                              -d.x() * d.y() * s.z() * s.z());
-    }
-}
 
 std::string bytes_of(Complex& complex) {
     dsc::Archive archive;

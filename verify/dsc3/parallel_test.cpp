@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Threads in three dimensions change nothing but the time.
-#include "dsc3/dsc3.h"
+#include "dsc3/space_testing.h"
 #include "support/environment.h"
 
 #include <gtest/gtest.h>
@@ -16,17 +16,6 @@ namespace {
 
 constexpr double h = 1.0 / 24;
 constexpr double dt = 1.0 / 24;
-
-void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
-    using std::numbers::pi;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Point p = pi * positions[i];
-        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
-        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
-        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
-                              -d.x() * d.y() * s.z() * s.z());
-    }
-}
 
 struct Tracked {
     explicit Tracked(const Parallel& parallel, double radius = 0.25)
@@ -107,6 +96,13 @@ TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
         second.step(k);
     }
     EXPECT_EQ(first.bytes(), second.bytes());
+    for (const std::uint32_t submeshes : {2U, 4U}) {
+        Tracked other({.submeshes = submeshes});
+        const std::string before = other.bytes();
+        dsc::Archive archive(first.bytes(), "saved");
+        EXPECT_THROW(other.simulation.archive(archive), FileError);
+        EXPECT_EQ(other.bytes(), before);
+    }
 }
 
 TEST(Parallel3, WhatAVelocityThrowsComesOutOfTheStep) {

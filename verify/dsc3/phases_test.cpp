@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several phases that meet: a ball that one, two or three planes through its centre divide. Sheets
 // meet in junction curves (circles and diameters), and those in points.
-#include "dsc3/dsc3.h"
+#include "dsc3/space_testing.h"
 #include "support/environment.h"
 
 #include <gtest/gtest.h>
@@ -39,15 +39,7 @@ Complex divided_ball(int cuts) {
 // from the three nearest.
 double off_curves(const Complex& complex, const Point& moved, int cuts) {
     double most = 0;
-    Star star;
-    InterfaceStar interface_star;
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (!complex.is_alive(Vertex{v}) || !complex.is_interface(Vertex{v})) {
-            continue;
-        }
-        gather(complex, v, star);
-        gather(complex, star, interface_star);
-        const Stratum stratum = classify(interface_star);
+    for_each_interface_star(complex, [&](std::uint32_t v, const InterfaceStar&, Stratum stratum) {
         const Point p = complex.at(v) - moved;
         std::vector<double> d{std::abs((p - centre).norm() - radius)};
         for (int k = 0; k < cuts; ++k) {
@@ -57,19 +49,8 @@ double off_curves(const Complex& complex, const Point& moved, int cuts) {
         most = std::max(most, stratum == Stratum::sheet   ? 0
                               : stratum == Stratum::curve ? d[1]
                                                           : d[2]);
-    }
+    });
     return most;
-}
-
-void swirl(std::span<const Point> positions, double, std::span<Point> velocities) {
-    using std::numbers::pi;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const Point p = pi * positions[i];
-        const Point s(std::sin(p.x()), std::sin(p.y()), std::sin(p.z()));
-        const Point d(std::sin(2 * p.x()), std::sin(2 * p.y()), std::sin(2 * p.z()));
-        velocities[i] = Point(2 * s.x() * s.x() * d.y() * d.z(), -d.x() * s.y() * s.y() * d.z(),
-                              -d.x() * d.y() * s.z() * s.z());
-    }
 }
 
 constexpr std::array<std::uint32_t, 4> points_of{0, 0, 2, 7};
@@ -173,18 +154,11 @@ TEST(Phases3, StrataSurviveASwirl) {
 TEST(Phases3, GuardsKeepStrata) {
     Complex complex = divided_ball(2);
     Workspace work;
-    Star star;
-    InterfaceStar interface_star;
     std::array<std::uint32_t, 3> legal{}; // off a curve, along it, at a point
     const CollapseRules any{.floor = 1e-6, .enough = 1e-6, .min_cos = -1, .deviation = 1};
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (!complex.is_interface(Vertex{v})) {
-            continue;
-        }
-        gather(complex, v, star);
-        gather(complex, star, interface_star);
-        const Stratum stratum = classify(interface_star);
-        for (const StarEdge& edge : interface_star.edges) {
+    for_each_interface_star(complex, [&](std::uint32_t v, const InterfaceStar& star,
+                                         Stratum stratum) {
+        for (const StarEdge& edge : star.edges) {
             const bool is_legal = edge_collapse_guard(complex, work, Vertex{v}, Vertex{edge.vertex},
                                                       any) == Verdict::legal;
             if (stratum == Stratum::point) {
@@ -193,7 +167,7 @@ TEST(Phases3, GuardsKeepStrata) {
                 legal[edge.is_on_curve() ? 1 : 0] += is_legal ? 1U : 0U;
             }
         }
-    }
+    });
     EXPECT_EQ(legal[0], 0U);
     EXPECT_GT(legal[1], 20U);
     EXPECT_EQ(legal[2], 0U);
@@ -202,31 +176,22 @@ TEST(Phases3, GuardsKeepStrata) {
 TEST(Phases3, NewVerticesLieOnCurvesAndOnSheetsBesideThem) {
     const Complex complex = divided_ball(1); // one circle
     Workspace work;
-    Star star;
-    InterfaceStar interface_star;
     std::array<double, 2> straight{}; // on the circle; on the sphere beside it
     std::array<double, 2> curved{};
-    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
-        if (!complex.is_interface(Vertex{v})) {
-            continue;
-        }
-        gather(complex, v, star);
-        gather(complex, star, interface_star);
-        if (classify(interface_star) != Stratum::curve) {
-            continue;
-        }
-        for (const StarEdge& edge : interface_star.edges) {
-            const Point& to = complex.at(edge.vertex);
-            if (std::abs((to - centre).norm() - radius) > 1e-9) {
-                continue; // in the plane
+    for_each_interface_star(
+        complex, [&](std::uint32_t v, const InterfaceStar& star, Stratum stratum) {
+            for (const StarEdge& edge : star.edges) {
+                const Point& to = complex.at(edge.vertex);
+                if (stratum != Stratum::curve || std::abs((to - centre).norm() - radius) > 1e-9) {
+                    continue; // in the plane
+                }
+                const Point chord = midpoint(complex.at(v), to);
+                const Point place = curved_middle(complex, work, v, edge.vertex);
+                const std::size_t i = edge.is_on_curve() ? 0 : 1;
+                straight[i] = std::max(straight[i], std::abs((chord - centre).norm() - radius));
+                curved[i] = std::max(curved[i], std::abs((place - centre).norm() - radius));
             }
-            const Point chord = midpoint(complex.at(v), to);
-            const Point place = curved_middle(complex, work, v, edge.vertex);
-            const std::size_t i = edge.is_on_curve() ? 0 : 1;
-            straight[i] = std::max(straight[i], std::abs((chord - centre).norm() - radius));
-            curved[i] = std::max(curved[i], std::abs((place - centre).norm() - radius));
-        }
-    }
+        });
     EXPECT_GT(straight[0], 1e-3);
     EXPECT_LT(curved[0], 0.1 * straight[0]);
     EXPECT_GT(straight[1], 1e-3);

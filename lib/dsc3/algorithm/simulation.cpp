@@ -216,6 +216,10 @@ void Simulation::transfer(dsc::Archive& archive) {
         archive.raw(late.target.data(), sizeof late.target);
         archive.expect(late.vertex < complex_.vertex_bound(), "names a vertex that does not exist");
     }
+    const std::uint32_t mine = submeshes_ == nullptr ? no_id : submeshes_->wanted();
+    std::uint32_t submeshes = mine;
+    archive(submeshes);
+    archive.expect(submeshes == mine, "was written with another number of submeshes");
     if (submeshes_ != nullptr) {
         submeshes_->archive(archive);
     }

@@ -54,9 +54,9 @@ public:
     StepReport step(const Velocity& velocity, Real time, Real dt);
 
     /// Writes the whole state, the complex included, or reads it back into a simulation with the
-    /// same options; the following steps are then bitwise identical. O(n log n). Throws FileError
-    /// if the bytes hold no valid complex, or one with other attributes; the simulation and its
-    /// complex are then unchanged.
+    /// same options and submeshes, on any number of threads; the following steps are then bitwise
+    /// identical. O(n log n). Throws FileError if the bytes hold no valid complex, or one with
+    /// other attributes or submeshes; the simulation and its complex are then unchanged.
     void archive(dsc::Archive& archive);
 
     /// The vertices of the interface, by ascending id.

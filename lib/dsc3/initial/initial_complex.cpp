@@ -3,10 +3,10 @@
 
 #include "dsc3/geometry/tet.h"
 #include "dsc3/initial/lattice.h"
+#include "dsc3/initial/surfaces.h"
 #include "dsc3/operations/edge_split.h"
 #include "dsc3/passes/interface_remeshing.h"
 #include "dsc3/passes/repair.h"
-#include "dsc3/queries/interface_star.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ constexpr Real snap_quality = 0.15;
 // The same for a vertex that stays on an earlier surface: otherwise a short edge would remain
 // there, which the rules of strata then protect.
 constexpr Real junction_quality = 0.05;
-// A vertex that is nearer, in edge lengths, is on a surface.
-constexpr Real on_surface = 1e-3;
+// A vertex where surfaces meet moves to its place as long as the quality of its tets stays above
+// this.
 constexpr Real junction_insertion = 0.01;
 // Target quality of the improvement of the first complex.
 constexpr Real start_quality = 0.35;
@@ -33,7 +33,8 @@ constexpr Real start_quality = 0.35;
 class Start {
 public:
     Start(const Box& domain, std::span<const Shape> shapes, const InitialOptions& options)
-        : shapes_(shapes), options_(options), complex_(initial::lattice(domain)) {}
+        : shapes_(shapes), options_(options), complex_(initial::lattice(domain)),
+          surfaces_(complex_, shapes, options.edge_length) {}
 
     Complex run() {
         initial::refine(
@@ -54,54 +55,23 @@ private:
     struct Beside {
         std::uint32_t vertex;
         Point place;
-        std::vector<const Shape*> surfaces;
+        initial::ShapeList surfaces;
     };
 
     [[nodiscard]] Real limit(const std::array<Point, 4>& p) const {
         Real nearest = std::numeric_limits<Real>::infinity();
         for (const Point& q : p) {
-            Phase phase = exterior_phase;
-            for (const Shape& shape : shapes_) {
-                const Phase inside = phase_inside(shape, phase);
-                if (inside == phase && !shape.divides.empty()) {
-                    continue; // the surfaces around the phases that it divides are nearer
-                }
-                const Real distance = shape.distance(q);
-                nearest = std::min(nearest, std::abs(distance));
-                phase = distance < 0 ? inside : phase;
-            }
+            nearest = std::min(nearest, surfaces_.distance(q));
         }
         const Real h = options_.edge_length;
         return longest_near * h + options_.growth * std::max(Real(0), nearest - h);
     }
 
-    // Projects p on the surface where the distance is 0, by Newton's method.
-    [[nodiscard]] Point project(const Distance& distance, Point p) const {
-        const Real e = 1e-5 * options_.edge_length;
-        for (int i = 0; i < 4; ++i) {
-            Point gradient;
-            for (int k = 0; k < 3; ++k) {
-                Point to = p;
-                to[k] += e;
-                Point from = p;
-                from[k] -= e;
-                gradient[k] = (distance(to) - distance(from)) / (2 * e);
-            }
-            const Real square = gradient.squaredNorm();
-            if (!(square > 1e-6)) {
-                break;
-            }
-            p -= distance(p) / square * gradient;
-        }
-        return p;
-    }
-
     void cut_out(const Shape& shape) {
         evaluate(shape);
         snap(shape);
-        for (bool is_done = false;
-             !is_done;) { // a cut may give a lower id to a tet that is not cut
-            is_done = true;
+        for (bool is_done = false; !is_done;) {
+            is_done = true; // unless a tet gets a lower id in a cut and is itself not cut yet
             for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
                 while (is_within(shape, t) && cut(shape, t)) {
                     is_done = false;
@@ -112,7 +82,7 @@ private:
         bool is_seen = false;
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
             if (is_within(shape, t) && is_inside(shape, t)) {
-                complex_.phases[t] = phase_inside(shape, complex_.phases[t]);
+                complex_.phases[t] = initial::phase_inside(shape, complex_.phases[t]);
                 is_seen = true;
             }
         }
@@ -134,20 +104,10 @@ private:
         work_.rewiring.changed.clear();
     }
 
-    // The phase of what lies inside the shape and had this phase before.
-    [[nodiscard]] static Phase phase_inside(const Shape& shape, Phase phase) {
-        if (shape.divides.empty()) {
-            return shape.phase;
-        }
-        const auto change =
-            std::find_if(shape.divides.begin(), shape.divides.end(),
-                         [&](const PhaseChange& each) { return each.from == phase; });
-        return change == shape.divides.end() ? phase : change->to;
-    }
     // Whether the shape may change the phase of a tet.
     [[nodiscard]] bool is_within(const Shape& shape, std::uint32_t t) const {
         return shape.divides.empty() ||
-               phase_inside(shape, complex_.phases[t]) != complex_.phases[t];
+               initial::phase_inside(shape, complex_.phases[t]) != complex_.phases[t];
     }
 
     void evaluate(const Shape& shape) {
@@ -161,7 +121,8 @@ private:
                                   .value = dsc::to_text(values_[v]),
                                   .allowed = "finite distances everywhere in the domain"});
             }
-            if (!shape.divides.empty() && complex_.is_interface(Vertex{v}) && is_on(shape, v)) {
+            if (!shape.divides.empty() && complex_.is_interface(Vertex{v}) &&
+                surfaces_.is_on(shape, v)) {
                 values_[v] = 0; // another part of this surface has been cut there
             }
             if (complex_.is_boundary(Vertex{v}) && values_[v] <= 0 && shape.divides.empty()) {
@@ -216,41 +177,17 @@ private:
                 (complex_.is_interface(Vertex{v}) && shape.divides.empty())) {
                 continue;
             }
-            surfaces_of(v);
-            surfaces_.push_back(&shape);
-            const Point to = project_on_all(complex_.at(v));
+            initial::ShapeList surfaces = surfaces_.at(v);
+            surfaces.push_back(&shape);
+            const Point to = surfaces_.project(surfaces, complex_.at(v));
             gather(complex_, v, work_.star);
             work_.quality.gather(complex_, work_.star);
-            const bool is_on_old = surfaces_.size() > 1;
+            const bool is_on_old = surfaces.size() > 1;
             if (work_.quality.worst(to) > (is_on_old ? junction_quality : snap_quality)) {
                 complex_.set_position(Vertex{v}, to);
                 values_[v] = 0;
             }
         }
-    }
-
-    // Lists the shapes on whose surface an interface vertex lies.
-    void surfaces_of(std::uint32_t v) {
-        surfaces_.clear();
-        if (complex_.is_interface(Vertex{v})) {
-            for (const Shape& shape : shapes_) {
-                if (is_on(shape, v)) {
-                    surfaces_.push_back(&shape);
-                }
-            }
-        }
-    }
-    [[nodiscard]] bool is_on(const Shape& shape, std::uint32_t v) const {
-        return std::abs(shape.distance(complex_.at(v))) < on_surface * options_.edge_length;
-    }
-    // Projects p onto each of the listed surfaces in turn, until it stays where they meet.
-    [[nodiscard]] Point project_on_all(Point p) const {
-        for (int round = 0; round < (surfaces_.size() > 1 ? 30 : 1); ++round) {
-            for (const Shape* shape : surfaces_) {
-                p = project(shape->distance, p);
-            }
-        }
-        return p;
     }
 
     // Cuts an edge of the tet that crosses the shape. Returns whether there was one.
@@ -270,26 +207,17 @@ private:
                 values_.resize(complex_.vertex_bound());
                 values_[made.id] = 0;
                 if (complex_.is_interface(made)) { // where the surfaces meet
-                    surfaces_of_edge(v[i], v[j]);
-                    surfaces_.push_back(&shape);
-                    if (!nudge(complex_, work_, made, project_on_all(complex_.position(made)),
-                               junction_insertion)) {
-                        beside_.push_back({made.id, complex_.position(made), surfaces_});
+                    initial::ShapeList surfaces = surfaces_.between(v[i], v[j]);
+                    surfaces.push_back(&shape);
+                    const Point to = surfaces_.project(surfaces, complex_.position(made));
+                    if (!nudge(complex_, work_, made, to, junction_insertion)) {
+                        beside_.push_back({made.id, complex_.position(made), std::move(surfaces)});
                     }
                 }
                 return true;
             }
         }
         return false;
-    }
-    // Lists the shapes on whose surface both ends lie.
-    void surfaces_of_edge(std::uint32_t a, std::uint32_t b) {
-        surfaces_.clear();
-        for (const Shape& shape : shapes_) {
-            if (is_on(shape, a) && is_on(shape, b)) {
-                surfaces_.push_back(&shape);
-            }
-        }
     }
     [[nodiscard]] Point crossing(const Distance& distance, std::uint32_t a, std::uint32_t b) const {
         const Point from = complex_.at(a);
@@ -315,6 +243,17 @@ private:
         return sum != 0 ? sum < 0 : shape.distance(centre) < 0;
     }
 
+    // Throws if the interface reaches the sides of the domain.
+    void expect_inside(std::uint32_t v) const {
+        if (complex_.is_boundary(Vertex{v})) {
+            throw InputError(
+                {.what = "a shape reaches the sides of the domain",
+                 .where = "initial_complex, at " + to_text(complex_.at(v)),
+                 .value = "an interface vertex on a side",
+                 .allowed = "shapes, and parts of phases, that lie inside the domain"});
+        }
+    }
+
     // Marks the vertices of the interface; the shape may have covered a part of an earlier one.
     void mark() {
         for (VertexRecord& vertex : complex_.vertices) {
@@ -326,6 +265,7 @@ private:
                 if (!is_border(other) && complex_.phase_at(other) != complex_.phases[t]) {
                     for (const std::uint32_t v : complex_.face(corner_of(t, i))) {
                         complex_.vertices[v].flags |= vertex_interface;
+                        expect_inside(v);
                     }
                 }
             }
@@ -336,7 +276,7 @@ private:
         Options options;
         options.edge_length = options_.edge_length;
         options.insertion = [this](const Complex&, Workspace& work, std::uint32_t a,
-                                   std::uint32_t b) { return place_between(work, a, b); };
+                                   std::uint32_t b) { return surfaces_.place_between(work, a, b); };
         Team team;
         PassState state{complex_, options, team};
         state.grow();
@@ -353,41 +293,6 @@ private:
             nudge_again();
         }
     }
-    // The place of a new vertex on an edge of the interface: on all surfaces that meet there.
-    Point place_between(Workspace& work, std::uint32_t a, std::uint32_t b) {
-        const Point middle = midpoint(complex_.at(a), complex_.at(b));
-        surfaces_of_edge(a, b);
-        if (surfaces_.size() < 2) {
-            return surfaces_.empty() ? project_nearest(middle) : project_on_all(middle);
-        }
-        gather(complex_, a, work.star);
-        gather(complex_, work.star, work.interface_star);
-        classify(work.interface_star);
-        const StarEdge* const edge = work.interface_star.edge_to(b);
-        if (edge == nullptr || !edge->is_on_curve()) { // a chord between two vertices of curves
-            surfaces_ = {*std::min_element(
-                surfaces_.begin(), surfaces_.end(), [&](const Shape* x, const Shape* y) {
-                    return std::abs(x->distance(middle)) < std::abs(y->distance(middle));
-                })};
-        }
-        return project_on_all(middle);
-    }
-    [[nodiscard]] Point project_nearest(const Point& p) const {
-        const Shape* nearest = nullptr;
-        Real least = std::numeric_limits<Real>::infinity();
-        for (const Shape& shape : shapes_) {
-            if (const Real d = std::abs(shape.distance(p)); d < least) {
-                least = d;
-                nearest = &shape;
-            }
-        }
-        if (nearest == nullptr) {
-            return p;
-        }
-        const Point to = project(nearest->distance, p);
-        return (to - p).norm() < 0.5 * options_.edge_length ? to : p;
-    }
-
     // Vertices may reach their places when the tets around them have become better.
     void nudge_again() {
         std::erase_if(beside_, [&](Beside& each) {
@@ -395,9 +300,9 @@ private:
                 complex_.at(each.vertex) != each.place) {
                 return true;
             }
-            surfaces_ = each.surfaces;
-            const bool arrives = nudge(complex_, work_, Vertex{each.vertex},
-                                       project_on_all(each.place), junction_insertion);
+            const bool arrives =
+                nudge(complex_, work_, Vertex{each.vertex},
+                      surfaces_.project(each.surfaces, each.place), junction_insertion);
             each.place = complex_.at(each.vertex);
             return arrives;
         });
@@ -406,10 +311,10 @@ private:
     std::span<const Shape> shapes_;
     const InitialOptions& options_;
     Complex complex_;
+    initial::Surfaces surfaces_;
     Workspace work_;
     std::vector<Real> values_;
     std::vector<Real> shortest_;
-    std::vector<const Shape*> surfaces_; ///< scratch
     std::vector<Beside> beside_;
 };
 
@@ -433,11 +338,15 @@ Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
         "edge_length", options.edge_length, "1/4096 of the longest side to 1/4 of the shortest");
     dsc::require(options.growth >= 0 && options.growth <= 2, "growth", options.growth, "0 to 2");
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        if (!shapes[i].distance || shapes[i].phase == border_phase) {
+        const bool is_reserved =
+            shapes[i].phase == border_phase ||
+            std::any_of(shapes[i].divides.begin(), shapes[i].divides.end(),
+                        [](const PhaseChange& change) { return change.to == border_phase; });
+        if (!shapes[i].distance || is_reserved) {
             throw InputError({.what = "a shape has no distance function, or a reserved phase",
                               .where = "initial_complex, shape " + std::to_string(i),
-                              .value = std::to_string(shapes[i].phase),
-                              .allowed = "a function, and a phase below 4294967295"});
+                              .value = is_reserved ? std::to_string(border_phase) : "no function",
+                              .allowed = "a function, and phases below 4294967295"});
         }
     }
     return Start(domain, shapes, options).run();

@@ -77,10 +77,8 @@ Verdict edge_removal_guard(const Complex& complex, Workspace& work, const EdgeAt
     if (!ring.closed) {
         return Verdict::on_boundary;
     }
-    for (std::uint32_t i = 1; i < ring.size; ++i) {
-        if (complex.phases[ring.tets[i]] != complex.phases[ring.tets[0]]) {
-            return Verdict::on_interface;
-        }
+    if (!has_one_phase(complex, ring)) {
+        return Verdict::on_interface;
     }
     const Real before = worst_quality(complex, ring);
     const Real floor = std::max({before * gain, before + 1e-9, quality_floor});

@@ -63,10 +63,8 @@ Verdict improving_split(Complex& complex, Workspace& work, const EdgeAt& edge, R
     if (!ring.closed) {
         return Verdict::on_boundary;
     }
-    for (std::uint32_t i = 1; i < ring.size; ++i) {
-        if (complex.phases[ring.tets[i]] != complex.phases[ring.tets[0]]) {
-            return Verdict::on_interface;
-        }
+    if (!has_one_phase(complex, ring)) {
+        return Verdict::on_interface;
     }
     Point place = midpoint(complex.at(edge.a), complex.at(edge.b));
     StarQuality& star = work.quality;

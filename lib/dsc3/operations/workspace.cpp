@@ -26,6 +26,12 @@ Real quality_of(const Complex& complex, std::uint32_t tet) {
     return quality(complex.at(v[0]), complex.at(v[1]), complex.at(v[2]), complex.at(v[3]));
 }
 
+bool has_one_phase(const Complex& complex, const Ring& ring) {
+    return std::all_of(ring.tets.begin(), ring.tets.begin() + ring.size, [&](std::uint32_t t) {
+        return complex.phases[t] == complex.phases[ring.tets[0]];
+    });
+}
+
 Real worst_quality(const Complex& complex, const Ring& ring) {
     Real worst = std::numeric_limits<Real>::max();
     for (std::uint32_t i = 0; i < ring.size; ++i) {

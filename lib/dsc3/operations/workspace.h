@@ -50,6 +50,9 @@ struct Workspace {
 /// The quality of a tet.
 [[nodiscard]] Real quality_of(const Complex& complex, std::uint32_t tet);
 
+/// Whether all tets around an edge have the same phase. O(size).
+[[nodiscard]] bool has_one_phase(const Complex& complex, const Ring& ring);
+
 /// The smallest quality of the tets around an edge. O(size).
 [[nodiscard]] Real worst_quality(const Complex& complex, const Ring& ring);
 

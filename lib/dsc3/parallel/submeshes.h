@@ -56,6 +56,8 @@ public:
     [[nodiscard]] Ownership& ownership() { return ownership_; }
     /// Adds counts, changed tets and new interface vertices of all submeshes to those of `work`.
     void hand_over(Workspace& work);
+    /// The number of submeshes by the option; 0: by the extent of the interface.
+    [[nodiscard]] std::uint32_t wanted() const { return wanted_; }
     /// The next division depends on where the work was: writes it or reads it back.
     void archive(dsc::Archive& archive);
     [[nodiscard]] std::vector<SubmeshWorker>& workers() { return workers_; }

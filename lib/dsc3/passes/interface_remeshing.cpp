@@ -162,12 +162,7 @@ void collapse_short(PassState& state) {
 }
 
 bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
-    if (!edge.is_valid() || !gather(complex, edge, ring)) {
-        return false;
-    }
-    return std::any_of(ring.tets.begin(), ring.tets.begin() + ring.size, [&](std::uint32_t t) {
-        return complex.phases[t] != complex.phases[edge.tet];
-    });
+    return edge.is_valid() && gather(complex, edge, ring) && !has_one_phase(complex, ring);
 }
 
 void split_long(PassState& state) {

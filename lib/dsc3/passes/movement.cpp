@@ -15,6 +15,7 @@ namespace {
 constexpr Real kept_quality = 0.7;
 // After this number of halvings a vertex stays, so that the roll-back ends.
 constexpr std::uint32_t halvings = 4;
+
 class Movement {
 public:
     Movement(PassState& state, Real move_quality)
