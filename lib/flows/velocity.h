@@ -79,9 +79,9 @@ struct Leg {
     Velocity velocity;
 };
 
-/// A sequence of velocities. A velocity in legs. A whole step belongs to one leg, because at the
-/// exact time of a change the velocity cannot depend on whether a step ends or begins there, and a
-/// Runge-Kutta step with the wrong velocity would lose its order.
+/// A sequence of velocities. A whole step belongs to one leg, because at the exact time of a change
+/// the velocity cannot depend on whether a step ends or begins there, and a Runge-Kutta step with
+/// the wrong velocity would lose its order.
 using Flow = std::vector<Leg>;
 
 /// One velocity for all times.

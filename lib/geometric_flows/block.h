@@ -8,8 +8,8 @@
 
 namespace dsc {
 
-/// A vector of the plane. A vector used instead of Eigen's, which is written number by number and
-/// read as a whole: a read right after a write stalls the processor, and a foam takes a quarter
+/// A vector of the plane. It is used instead of Eigen's vectors, which are written number by number
+/// and read as a whole: a read right after a write stalls the processor, and a foam takes a quarter
 /// more time.
 struct Vector2 {
     double x = 0;

@@ -51,7 +51,7 @@ struct CurveNetwork {
     std::vector<CurveEdge> edges; ///< each edge once
     std::vector<Freedom> freedom;
     std::vector<std::uint8_t> is_junction;
-    std::vector<std::uint8_t> is_between; ///< whether the edge is on a curve that ends at junctions
+    std::vector<std::uint8_t> is_between; ///< by vertex: lies on a curve that ends at junctions
     std::vector<EndForce> ends;           ///< those that are not zero
 };
 

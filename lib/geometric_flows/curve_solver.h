@@ -13,8 +13,8 @@
 namespace dsc {
 
 /// How the pressures beside a curve act on it. The force at a vertex is its push times the
-/// difference of the pressures on the left and the right. The displacement of a vertex times the
-/// same push is the area that the left gains and the right loses.
+/// pressure on the left minus that on the right. The displacement of a vertex times the same push
+/// is the area that the left gains and the right loses.
 struct CurvePush {
     int left = -1;     ///< index of that pressure, or -1 if there is none
     int right = -1;    ///< the same
@@ -89,7 +89,7 @@ private:
     const CurveGraph* graph_ = nullptr;
     std::vector<Factor> factors_;  ///< by place
     std::vector<Remainder> rests_; ///< by curve
-    std::vector<Vector2> to_from_; ///< by vertex: subtracted from the column of `from`
+    std::vector<Vector2> to_from_; ///< by place: subtracted from the column of `from`
     std::vector<Block> left_;      ///< diagonal blocks of the junctions
     std::vector<double> yielding_; ///< of pressures
     std::vector<Eigen::Triplet<double>> entries_;

@@ -25,7 +25,7 @@ namespace {
 constexpr double beside = 0.05; // distance of the vertices of a fan at the start
 constexpr double roomy = 0.25;  // the radius at which they move to their rays
 constexpr double grown = 1.5;   // the radius from which on a fan may dissolve
-constexpr double margin = 0.1;  // fraction of a notch's way within which vertices are removed
+constexpr double margin = 0.1;  // added to a notch's way, to find vertices that it will run over
 constexpr double bulge = 0.2;   // largest change of the curve if that vertex is removed
 constexpr double stray = 1e-3;  // a vertex farther from its ray than this leaves the fan
 constexpr std::uint32_t max_members = 32;
@@ -95,7 +95,7 @@ private:
 
     // --- notches ------------------------------------------------------------------------------
     [[nodiscard]] bool is_feature(std::uint32_t v) const { return complex_.is_feature(Vertex{v}); }
-    // Read without tearing: a vertex of another submesh may become a feature at this moment.
+    // A vertex of another submesh may become a feature at this moment, so its flag is not read.
     [[nodiscard]] bool may_be_feature(std::uint32_t v) const {
         return !owns(complex_, work_.submesh.region, v) || is_feature(v);
     }

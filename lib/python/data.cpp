@@ -35,7 +35,7 @@ bool is_data(const AttributeBase& one) {
     return visit_data(one, [](const auto& /*attribute*/) {});
 }
 
-// The names of the data of vertices or triangles.
+// For each name of data, whether they belong to vertices; otherwise to triangles.
 py::dict data_names(const Mesh& mesh) {
     py::dict names;
     for (const auto& one : mesh.complex().attributes.list()) {

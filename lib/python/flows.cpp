@@ -85,8 +85,8 @@ InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator int
                                   std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double t,
                                               std::span<Point<double>> velocities) {
-            // Copies the velocities, so that a failure at one vertex does not affect its
-            // neighbours.
+            // Copies the positions and replaces those that are not finite, so that a failure at one
+            // vertex does not affect its neighbours.
             Points seen(positions.begin(), positions.end());
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 seen[i] = seen[i].allFinite() ? seen[i] : view.positions[i];

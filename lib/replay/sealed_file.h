@@ -30,8 +30,7 @@ void write_sealed(const std::string& path, const SealedKind& kind, const std::st
 /// The bytes of such a file, to be stored elsewhere. Throws InputError as `write_sealed`.
 [[nodiscard]] std::string sealed(const SealedKind& kind, const std::string& bytes);
 
-/// The bytes that were sealed. The content of such bytes, which errors call `name`; throws
-/// FileError like `read_sealed`.
+/// The bytes that were sealed. Errors call them `name`. Throws FileError like `read_sealed`.
 [[nodiscard]] std::string unsealed(std::string bytes, const SealedKind& kind,
                                    const std::string& name);
 

@@ -92,7 +92,7 @@ struct RadialValue {
     double first_radius = 0;
     double last_radius = 1;
     double speed = 1; ///< at which the radius grows
-    double power = 1; ///< form of the rise with the radius
+    double power = 1; ///< exponent of the rise with the radius
 
     [[nodiscard]] double at_radius(double radius) const {
         const double share = (radius - first_radius) / (last_radius - first_radius);

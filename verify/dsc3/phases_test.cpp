@@ -74,6 +74,23 @@ TEST(Phases3, DividedBallsBeginWithExactCurves) {
     }
 }
 
+// In this start a cut gives the id of a tet that was looked at already to one that is not cut yet.
+TEST(Phases3, ACutMissesNoEdge) {
+    if (dsc::test::are_asked_for("few")) {
+        GTEST_SKIP() << "a large mesh";
+    }
+    const Point middle(0.35, 0.35, 0.35);
+    const Point normal = Point(1, 0.13, 0.07).normalized();
+    const Distance across = [&](const Point& p) { return (p - middle).dot(normal); };
+    const Complex complex = initial_complex({}, {{ball(middle, 0.15), 1}, {across, 1, {{1, 2}}}},
+                                            {.edge_length = 1.0 / 64});
+    double most = 0;
+    for_each_interface_star(complex, [&](std::uint32_t v, const InterfaceStar&, Stratum stratum) {
+        most = std::max(most, stratum == Stratum::curve ? std::abs(across(complex.at(v))) : 0);
+    });
+    EXPECT_LT(most, 1e-10);
+}
+
 // A core that covers the middle of a dividing plane: the circle in which they meet is a curve, and
 // nothing of the plane is left within.
 TEST(Phases3, AShapeCoversAPartOfAnEarlierOne) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What libFuzzer calls. The entry points of libFuzzer. The argument --target=NAME, which libFuzzer
-// ignores, chooses the target.
+// The entry points of libFuzzer. The argument --target=NAME, which libFuzzer ignores, chooses the
+// target.
 #include "fuzz/target.h"
 
 #include <algorithm>

@@ -228,9 +228,9 @@ template <class Real>
 std::uint32_t run_motion(Work<Real>& work, const std::vector<Pass<Real>>& passes,
                          std::uint32_t& next_epoch);
 
-/// Increments `last` and returns it. Returns a new stamp. After the largest one, in 2^32 passes,
-/// the stamps of all vertices are removed and numbering starts again: O(mesh). Must not run beside
-/// other submeshes.
+/// Increments `last` and returns it as a new stamp. After the largest stamp, in 2^32 passes, all
+/// vertices lose their stamps and numbering starts again: O(mesh). Must not run beside other
+/// submeshes.
 template <class Real>
 std::uint32_t next_stamp(Complex<Real>& complex, std::uint32_t& last);
 

@@ -14,7 +14,7 @@ namespace dsc {
 
 namespace {
 
-/// The phase, of two, on the left of a curve.
+/// Whether `one`, rather than `other`, is on the left of a curve between these two phases.
 constexpr bool is_left(Phase one, Phase other) {
     return other == border_phase || (one != border_phase && one > other);
 }

@@ -90,8 +90,8 @@ private:
     bool is_reading_ = false;
 };
 
-/// Calls `transfer(archive)`. Archives values; if that throws while reading, they are restored from
-/// a backup in memory, and the exception is passed on.
+/// Calls `transfer(archive)`. If it throws while reading, the values are restored from a backup in
+/// memory, and the exception is passed on.
 template <class Transfer>
 void as_a_whole(Archive& archive, const Transfer& transfer) {
     Archive before;

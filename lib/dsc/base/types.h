@@ -57,7 +57,7 @@ constexpr bool is_interface_pair(Phase one, Phase other) {
 }
 
 /// A corner is 4 * triangle + 0, 1 or 2. It names a vertex of a triangle, the edge opposite to it,
-/// and the half-edge of that edge inside the triangle, so no index has to be searched.
+/// and the half-edge of that edge inside the triangle, so no index has to be searched for.
 using Corner = std::uint32_t;
 
 /// Triangle 0 is the border: it stands in for a missing neighbour. Its phase differs from all

@@ -23,8 +23,8 @@ struct CachedStar {
     std::uint32_t size = 0;       ///< triangles of the star
     std::uint32_t stamp = 0;      ///< stamp of the centre, when the star was cached
     IncidentEdges incident;       ///< those of the interface
-    Phase left = border_phase;  ///< data of the first of these incident edges, seen from the centre
-    Phase right = border_phase; ///< of the same one
+    Phase left = border_phase;    ///< on the left of the first of these edges, seen from the centre
+    Phase right = border_phase;   ///< on its right
     std::array<std::uint32_t, capacity> link; ///< ids; the first one repeated from `size` on
 
     /// Whether the star is unchanged: each edit of it activates its centre, which sets another

@@ -73,7 +73,7 @@ public:
         return static_cast<std::uint32_t>(triangles.size());
     }
 
-    // --- living simplices--------------------------------------------------------------------
+    // --- living simplices ---------------------------------------------------------------------
     /// Whether the handle names a living vertex. O(1).
     [[nodiscard]] bool is_alive(Vertex v) const {
         return v.id < vertices.size() && (vertices[v.id].flags & vertex_dead) == 0;

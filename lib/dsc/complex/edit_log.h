@@ -100,7 +100,7 @@ struct OperationCounts {
     std::uint64_t splits = 0;              ///< of other edges
     std::uint64_t collapses = 0;           ///< along other edges
     std::uint64_t smoothed = 0;            ///< vertices moved for the quality of their stars
-    std::uint64_t subdivisions = 0;        ///< loop; their splits and flips are counted too
+    std::uint64_t subdivisions = 0;        ///< of Loop; their splits and flips are counted too
     std::uint64_t retriangulations = 0;    ///< local ones, of whole polygons
     std::uint64_t relabelled = 0;          ///< triangles that changed their phase
     std::uint64_t examined = 0;            ///< stars that were gathered for the mesh update

@@ -11,8 +11,8 @@
 
 namespace dsc {
 
-/// A pool of free ids. A pool of free ids. The complex grows its arrays when its own pool is empty.
-/// A submesh that runs in parallel may not grow them: an edit that finds its pool empty is refused
+/// A pool of free ids. The complex grows its arrays when its own pool is empty. A submesh that runs
+/// in parallel may not grow them: an edit that finds its pool empty is refused
 /// (`Verdict::out_of_ids`).
 struct IdPool {
     std::vector<std::uint32_t> vertices;  ///< ids without a vertex

@@ -29,8 +29,9 @@ void resample_fields(Complex<Real>& complex, Vertex v, const Point<Real>& place,
         const Real area = cross<Real>(to_a, to_b);
         const Real of_a = cross<Real>(way, to_b) / area;
         const Real of_b = cross<Real>(to_a, way) / area;
-        // Both areas are non-negative in the triangle into which the vertex moves. They may also be
-        // so in a neighbour that the rounding of a new vertex has inverted; its area is negative.
+        // Both weights are non-negative in the triangle into which the vertex moves. They may be so
+        // in a neighbour too, which the rounding of a new vertex has inverted: its area is
+        // negative.
         if (const Real smallest = std::min(of_a, of_b); area > 0 && smallest > best) {
             best = smallest;
             best_a = a;

@@ -10,8 +10,8 @@
 
 namespace dsc {
 
-/// A straight line, given by the numbers of its two different ends. Lines that share a number may
-/// meet there; coincident points with different numbers are a contact.
+/// A straight line, given by the numbers of its ends, which lie at different points. Lines that
+/// share a number may meet there; coincident points with different numbers are a contact.
 struct NetworkLine {
     std::uint32_t from = 0;
     std::uint32_t to = 0;

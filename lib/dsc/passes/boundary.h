@@ -58,8 +58,8 @@ Real merged_on_boundary(const Star<Real>& star) {
 }
 
 /// Whether the centre, a vertex of the domain boundary inside one phase, should be collapsed:
-/// because a boundary edge there is short, or because its star is poor. On a curved side a short
-/// edge is collapsed only if it blocks a vertex that slides there, because each collapse changes
+/// because a boundary edge there is short, or because its star is poor. On a curved side shortness
+/// is a reason only if the edge blocks a vertex that slides there, because each collapse changes
 /// the shape of the domain slightly.
 template <class Real>
 bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,

@@ -114,8 +114,8 @@ bool certainly_positive(const Star<Real>& star, Real px, Real py) {
     }
     // Below this, products may have lost bits to underflow.
     constexpr Real guard = std::numeric_limits<Real>::min() / std::numeric_limits<Real>::epsilon();
-    // A minimum ignores NaN. Written so that the comparison also refuses a centre that is NaN, or
-    // so far away that products overflow and their difference is NaN.
+    // A minimum ignores NaN, so the last two comparisons must refuse a centre that is NaN, or so
+    // far away that products overflow and their difference is NaN.
     constexpr Real far = sizeof(Real) == sizeof(double) ? Real(1e150) : Real(1e18);
     return smallest > 0 && scale > guard && std::abs(px) < far && std::abs(py) < far;
 }

@@ -25,7 +25,7 @@ std::vector<Phase> phases(const Complex<Real>& complex) {
 
 namespace {
 
-// In scalars: Plain numbers, because Eigen's vectors would be stored and loaded again.
+// Uses plain numbers, because Eigen's vectors would be stored and loaded again.
 template <class Real>
 double area_in_double(const Complex<Real>& complex, Triangle t) {
     const auto& v = complex.triangles[t.id].v;
@@ -112,9 +112,9 @@ private:
         return goes_on(c, after) ? after : no_id;
     }
     // Whether these two are the only interface edges at the vertex at which the first one ends and
-    // the second one starts. There is no edge between them on the left. So either both are edges of
-    // the domain boundary, or turning from the other side of the second edge leads to the first one
-    // without meeting another phase or the border.
+    // the second one starts. On the left there is no interface edge between them. So either
+    // both are edges of the domain boundary, or turning from the other side of the second edge
+    // leads to the first one without meeting another phase or the border.
     [[nodiscard]] bool goes_on(Corner before, Corner after) const {
         Corner beyond = complex_.twin(after);
         const Corner wanted = complex_.twin(before);

@@ -295,9 +295,8 @@ outlines_where(const Complex<Real>& complex, Belongs belongs,
     const auto is_edge = [&](Corner c) {
         return is_inside(complex.phase_at(c)) && !is_inside(complex.phase_at(complex.twin(c)));
     };
-    const bool is_listed =
-        interface &&
-        !belongs(exterior_phase); // otherwise the interface alone does not determine it
+    // Outlines of the exterior also run along the domain boundary, where `interface` has no edges.
+    const bool is_listed = interface && !belongs(exterior_phase);
     for_each_loop(complex,
                   is_listed ? HalfEdges(complex, *interface, is_edge) : HalfEdges(complex, is_edge),
                   is_edge, [&](std::span<const Corner> corners) {

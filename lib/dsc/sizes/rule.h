@@ -24,8 +24,9 @@ Real min_between(Real ax, Real ay, Real value_a, Real bx, Real by, Real value_b,
     const Real squared = ex * ex + ey * ey;
     const Real along = -(ax * ex + ay * ey);
     const Real across = std::abs(ax * by - ay * bx);
-    // The components of the front's slope along and across the edge: the latter is 0 if the value
-    // is steeper than the slope, so that the minimum is at the lower end.
+    // While the front moves by the length of the edge, it moves by `rise` along the edge and by
+    // `sideways` across it: 0 if the value is steeper than the slope, so that the minimum is at the
+    // lower end.
     const Real rise = (value_b - value_a) / slope;
     const Real sideways = std::sqrt(std::max(Real(0), squared - rise * rise));
     const Real foot = along * sideways - across * rise; // over sideways: along the edge

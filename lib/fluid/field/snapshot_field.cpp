@@ -23,7 +23,8 @@ inline Barycentric coordinates(const MeshSnapshot& mesh, const SnapshotTriangle&
     return {first, second, 1 - first - second};
 }
 
-// A bound for walks, because only in a Delaunay triangulation every walk ends.
+// The best triangle for a point by a search of all, for walks that do not end: only in a Delaunay
+// triangulation every walk ends.
 Spot look_everywhere(const MeshSnapshot& mesh, const Point<double>& x) {
     Spot best;
     double largest = -std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t few = 8;    // parts of at most this many triangles are not cut
 constexpr std::size_t many = 100; // triangles for which both axes are tried
-constexpr int passes = 3;         // limit relative to the triangles beside a cut
+constexpr int passes = 3;         // over the triangles, to straighten a cut
 
 class Dissector {
 public:

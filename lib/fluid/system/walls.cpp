@@ -54,7 +54,7 @@ std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& opt
 struct AtNode {
     bool sticks = false;
     std::array<std::optional<Point<double>>, 2> slips; // directions of the edges there
-    std::array<std::uint32_t, 2> ends{no_id, no_id};   // directions before and after the node
+    std::array<std::uint32_t, 2> ends{no_id, no_id};   // the nodes before and after this one
 };
 
 void add(AtNode& at, const WallEdge& edge, const MeshSnapshot& mesh, bool is_after) {

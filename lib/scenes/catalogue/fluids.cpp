@@ -72,7 +72,7 @@ FluidOptions two_fluids(const FluidPhase& around, const FluidPhase& inside, doub
     return options;
 }
 
-/// Edge lengths at the start, over h; without them edges longer than h would be split.
+/// Edge lengths at the start, over h; slightly below 1, because edges longer than h would be split.
 constexpr double slack = 0.999;
 
 /// The longest edge of a drop with a small wave, relative to the edges of a circle.

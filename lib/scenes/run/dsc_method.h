@@ -296,8 +296,8 @@ private:
     std::optional<QualityWatch<Real>> watch_;       // of the simulation
     std::shared_ptr<TopologyStage<Real>> topology_; ///< null if the topology is kept
     const Executor<Real>* executor_ = nullptr;      // of the simulation
-    std::uint32_t threads_of_copies_ = 1; ///< executor of the strategy that copies submeshes
-    const Velocity* leg_ = nullptr;       ///< the velocity of the previous step
+    std::uint32_t threads_of_copies_ = 1;           ///< number of threads if submeshes are copied
+    const Velocity* leg_ = nullptr;                 ///< the velocity of the previous step
     InterfaceMotion<Real> by_curvature_;
     std::optional<EditFile> edits_;
     std::optional<KeptValue<Real>> value_;

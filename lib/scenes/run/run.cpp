@@ -70,7 +70,7 @@ public:
             const double wall_s = watch.wall();
             const double cpu_s = watch.cpu();
             if (setup_.fluid && !result_.gave_up.empty()) {
-                frame(step); // ids of the restored state, if a fluid's step failed
+                frame(step); // shows the restored state, if a fluid's step failed
                 break;
             }
             step_us_.push_back(wall_s * 1e6);

@@ -20,7 +20,7 @@ struct Setup {
     dsc3::Velocity velocity{};
     double dt = 0;
     int steps = 0;
-    std::optional<int> half_step{}; ///< time when a flow that conserves volume turns back
+    std::optional<int> half_step{}; ///< step at which a flow that conserves volume turns back
     dsc3::Distance last{};          ///< the exact shape at the end; empty: unknown
     double volume_last = 0;         ///< volume of the exact shape at the end
 };

@@ -226,7 +226,7 @@ template <class Real>
 void SlabPartitioner<Real>::divide(const PartitionInput<Real>& input, Recut /*recut*/,
                                    Partition& partition) {
     const double radians = options_.degrees * std::numbers::pi / 180;
-    // Multiples of 90 degrees give exact axes, because the cosine of a right angle is not zero in
+    // At 90 degrees the axis is set exactly, because the cosine of a right angle is not zero in
     // floating point.
     const bool upright = options_.degrees == 90;
     const Point<double> normal =

@@ -10,8 +10,8 @@
 
 namespace dsc {
 
-/// +1 counter-clockwise, -1 clockwise, 0 degenerate; exact. The orientation of a triangle: +1 for
-/// every triangle of a valid complex.
+/// The orientation of a triangle, exactly: +1 counter-clockwise, -1 clockwise, 0 degenerate. Every
+/// triangle of a valid complex has +1.
 template <class Real>
 [[nodiscard]] int orientation(const Complex<Real>& complex, Triangle t);
 
@@ -23,7 +23,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool is_valid_simplex(const Complex<Real>& complex, Triangle t);
 
-/// The phase of a triangle. Edges and vertices have no orientation of their own.
+/// The phase of a triangle. Edges and vertices have no phase of their own.
 template <class Real>
 [[nodiscard]] Phase phase(const Complex<Real>& complex, Triangle t);
 

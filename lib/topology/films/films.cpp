@@ -197,7 +197,7 @@ private:
                piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
     }
 
-    // // Whether the vertex lies on a seam that may extend.
+    // Whether the vertex lies on a seam that may extend.
     bool is_seam(std::uint32_t v) const {
         return work_.options.follows_seams && is_on_seam(work_, v);
     }

@@ -158,7 +158,7 @@ private:
             const Corner other = corner == no_id ? border_corner : complex_.twin(corner);
             if (is_border(other)) {
                 throw InvariantError("initial_complex: an edge that crosses a segment of the "
-                                     "interface lies on the domain boundary");
+                                     "interface is lost, or lies on the domain boundary");
             }
             const std::uint32_t a = complex_.vertex(corner);
             const std::uint32_t d = complex_.vertex(other);

@@ -22,7 +22,7 @@ constexpr double split_quality = 0.4; // smallest quality that a split may leave
 template <class Real>
 Corner encroached_edge(const Complex<Real>& complex, std::uint32_t triangle,
                        const Point<double>& point, Protection protection) {
-    constexpr double cosine_of_lens = -0.5; // of the angle at which its rim sees a piece
+    constexpr double cosine_of_lens = -0.5; // of the angle at which a piece is seen from its rim
     for (std::uint32_t i = 0; i < 3; ++i) {
         const Corner c = corner_of(triangle, i);
         if (!is_constrained(complex, c)) {

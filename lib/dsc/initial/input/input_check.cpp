@@ -27,8 +27,8 @@ using Points = std::vector<Point<double>>;
 
 // --- the domain and the options ------------------------------------------------------------------
 
-// The spacing of the lattice. The lattice, if edges grow, is as coarse as edges may become: an
-// eighth of the smaller side of the domain is small enough for triangles of good quality, and costs
+// The spacing of the lattice. If edges grow, the lattice is as coarse as they may become: an eighth
+// of the smaller side of the domain is small enough for triangles of good quality, and costs
 // nothing.
 double spacing_of(const InitialOptions& options, double side) {
     if (options.sizes.is_uniform()) {

@@ -238,7 +238,8 @@ private:
             is_any_in({a, node.place, b})) {
             return {};
         }
-        // Area lost on one side of the curve is gained on the other.
+        // A removal that adds to the area change so far costs twice as much, so that area lost at
+        // one point is gained at another.
         const bool is_lost_again = state.area_change * result.area_change > 0;
         result.cost = is_lost_again ? 2 * result.deviation : result.deviation;
         return result;

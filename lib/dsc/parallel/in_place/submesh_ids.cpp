@@ -37,7 +37,7 @@ std::size_t SubmeshExecutor<Real>::min_vertices(const Part& part) {
 
 // Reserves memory for the pools, for more submeshes as the interface grows, and for a mesh that
 // grows by half: copying the arrays in a step would take as long as ten steps. Reserved memory that
-// is never touched is not used. Beyond this reserve the arrays double, as vectors do.
+// is never touched takes no physical memory. Beyond this reserve the arrays double, as vectors do.
 template <class Real>
 void SubmeshExecutor<Real>::make_room() {
     std::size_t lent = spare_vertices;

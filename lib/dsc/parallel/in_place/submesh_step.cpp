@@ -67,7 +67,7 @@ void SubmeshExecutor<Real>::targets_part(Part& part, std::size_t pass, const Flo
     if (pass + 1 >= algorithm_.remeshing.size()) {
         if (flow.needs_all()) {
             part.targets = {};
-            part.drop_targets(); // velocities are found later, for the whole interface at once
+            part.drop_targets(); // targets are found later, for the whole interface at once
         } else {
             part.targets = targets_along(work, *flow.velocity(), time, dt);
         }
@@ -357,7 +357,7 @@ void SubmeshExecutor<Real>::clean_up(MoveReport& report) {
         report.passes = std::max(report.passes, rest.passes);
         report.unreached += rest.unreached;
     }
-    // A stage may have unblocked vertices that did not arrive.
+    // Keeps the vertices that did not arrive, because a stage may unblock them after the movement.
     for (const auto& part : parts_) {
         std::vector<MovingVertex<Real>>& missed = part->work.moving_vertices;
         append(whole_.moving_vertices, missed);

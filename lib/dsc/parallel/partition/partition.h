@@ -15,8 +15,8 @@
 
 namespace dsc {
 
-/// The submeshes of one colour. Submeshes that run at the same time. Their regions must be
-/// disjoint, and together cover the plane.
+/// The submeshes of one colour, which run at the same time. Their regions must be disjoint, and
+/// together cover the plane.
 struct Colour {
     std::vector<Region> regions; ///< disjoint
 

@@ -425,7 +425,7 @@ private:
     const InterfaceThresholds& thresholds_;
     Real longest_squared_;
     Real shortest_squared_;
-    Real bypass_squared_; // smallest quality after a collapse that lets an end of the curve pass
+    Real bypass_squared_; // limit of an edge that is merged to let an end of the curve pass
     Real deviation_squared_;
     Real degenerate_squared_;
     Real finest_squared_;

@@ -12,7 +12,7 @@
 
 namespace dsc {
 
-/// All lengths are squared, like those of stars.
+/// Qualities and lengths are squared, as stars are examined.
 template <class Real>
 struct StarLimits {
     Real collapse; ///< quality

@@ -117,7 +117,7 @@ public:
             visit(active[visited++]);
         }
         if (is_unfinished_ || visited < active.size()) {
-            constexpr Real far = 2; // squared: more than the rounds of a visit can shorten
+            constexpr Real far = 2; // squared: edges above the limit times this are far too long
             const auto is_done = [&](std::uint32_t v) {
                 return !gather_star(v) || examine(star_, margins_).longest <=
                                               far * limits(star_.phase[0], sizes_.at(v)).longest;
@@ -443,7 +443,7 @@ private:
     // Uniform sizes and no per-phase thresholds: the limits are the same for every star.
     bool limits_are_fixed_;
     Limits limits_;                     // limits of the star that is being visited
-    IncidentEdgeMargins<Real> margins_; // stamp of the star that was examined last
+    IncidentEdgeMargins<Real> margins_; // of the star that was examined last, by incident edge
     WaitingRule waiting_ = waiting_rule(work_);
     bool is_unfinished_ = false; // a visit has used all its rounds
 };
