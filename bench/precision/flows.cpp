@@ -24,7 +24,7 @@ const std::vector<Flow>& precision_flows() {
          .period = 8,
          .lengths = powers_and_last,
          .last_by_few = true},
-        // The swirl for two periods: 260 and 420 steps each way at h = 0.01.
+        // The swirl and its reverse, for two durations: 260 and 420 steps each way at h = 0.01.
         {.name = "swirl-260",
          .title = "swirl, 2 x 260",
          .scene = "swirl",

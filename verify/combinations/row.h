@@ -21,7 +21,6 @@ enum class Place : std::uint8_t {
     square,      ///< a disc inside the unit square
     pair,        ///< two discs side by side, which meet if they grow
     by_boundary, ///< a disc beside the domain boundary, which it meets if it grows or moves down
-                 ///< it
     slender,     ///< a disc inside a rectangle of 100:1
     on_boundary, ///< half a disc on the domain boundary
     in_corner,   ///< a quarter of a disc in a corner of the domain

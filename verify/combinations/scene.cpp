@@ -141,8 +141,8 @@ void meet(Scene& scene, double radius, double distance) {
 }
 
 void translate(Scene& scene, const Row& row, const Shape& shape) {
-    // Vertices move so little that even with the widest contact distance no film opens at the
-    // domain boundary.
+    // Shapes move so little that even with the widest contact distance no film opens at the domain
+    // boundary, except by `Place::by_boundary`, whose disc meets it on its way down.
     const bool is_slender = row.place == Place::slender;
     const P way = row.motion == Motion::right  ? P(is_slender ? 0.3 : 0.12, 0)
                   : row.motion == Motion::down ? P(0, is_slender ? -0.03 : -0.15)

@@ -210,9 +210,9 @@ private:
     }
 
     void check_shapes() {
-        // Euler's method enlarges rotated shapes, so much that the result is compared with Euler's
-        // own. For other integrators twice the method's error is allowed, because sub-steps differ
-        // in length.
+        // Euler's method enlarges rotated shapes, so much that the result is compared with the
+        // shape that Euler's method gives, not with the exact one. For other integrators twice the
+        // method's error is allowed, because sub-steps differ in length.
         const bool is_curved = row_.motion == Motion::turn || row_.motion == Motion::swirl;
         const bool is_euler =
             row_.integrator == scenes::IntegratorChoice::euler && row_.told != Told::motion;

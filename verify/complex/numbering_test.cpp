@@ -223,8 +223,8 @@ TYPED_TEST(Numbering, CopesWithOddExtents) {
     EXPECT_EQ(renumber(point).vertices, (std::vector<std::uint32_t>{0, 1}));
     Complex<TypeParam> wide;
     const TypeParam largest = std::numeric_limits<TypeParam>::max();
-    const TypeParam lowest = std::numeric_limits<TypeParam>::denorm_min();
-    for (const TypeParam x : {largest, -largest, TypeParam(0), lowest}) {
+    const TypeParam smallest = std::numeric_limits<TypeParam>::denorm_min();
+    for (const TypeParam x : {largest, -largest, TypeParam(0), smallest}) {
         insert_vertex(wide, Point<TypeParam>(x, x));
     }
     renumber(wide);
@@ -232,7 +232,7 @@ TYPED_TEST(Numbering, CopesWithOddExtents) {
     EXPECT_EQ(wide.vertices.front().x, -largest);
     EXPECT_EQ(wide.vertices.back().x, largest);
     Complex<TypeParam> tiny;
-    insert_vertex(tiny, Point<TypeParam>(lowest, 0));
+    insert_vertex(tiny, Point<TypeParam>(smallest, 0));
     insert_vertex(tiny, Point<TypeParam>(0, 0));
     renumber(tiny);
     EXPECT_EQ(validate(tiny).problem, "");

@@ -93,8 +93,8 @@ void draw_region(Dice& dice, Form form, const Complex<double>& complex, DrawnReg
     }
 }
 
-// It must own the centre and the whole link, whichever function tests it; a vertex exactly on a cut
-// belongs only to the submesh above.
+// The submesh must own the centre and the whole link of the star, whichever function tests it; a
+// vertex exactly on a cut belongs only to the submesh above.
 TEST(Submesh, OwnsAStarIfItOwnsAllItsVertices) {
     std::array<std::size_t, 2> stars{};
     for (const Form form : forms) {

@@ -44,7 +44,7 @@ bool forget_references() {
 }
 
 struct Touched {
-    long kilobytes = 0; ///< slightly low: pages in the processor's cache are not marked
+    long kilobytes = 0; ///< slightly low: pages still in the processor's TLB are not marked
     long mesh = 0;      ///< size of all vertices and triangles, in kB
     std::uint64_t moves = 0;
     std::uint32_t triangles = 0;

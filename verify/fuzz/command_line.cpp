@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls the program with arbitrary arguments: it ends with success, or with one sentence that says
-// what is wrong. Its only scene refuses to be prepared, so nothing runs and nothing is written. An
-// argument a line.
+// what is wrong. Its only scene refuses to be prepared, so nothing runs and nothing is written.
+// Each line of the input is one argument.
 #include "fuzz/bytes.h"
 #include "fuzz/target.h"
 
@@ -51,7 +51,7 @@ std::uint64_t run_command_line(std::span<const std::uint8_t> bytes) {
     std::vector<std::string> arguments{"program"};
     std::istringstream lines(Bytes(bytes).text());
     for (std::string line; std::getline(lines, line);) {
-        // Files that exist are left out: they could be scenes that run for long.
+        // Arguments with a slash are left out: they could name a scene file that runs for long.
         if (arguments.size() < 100 && line.find('/') == std::string::npos) {
             arguments.push_back(line.substr(0, line.find('\0')));
         }

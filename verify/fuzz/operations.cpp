@@ -267,7 +267,8 @@ private:
         if (validate(copy).ok()) {
             auto records = std::move(copy.journal.records);
             complex_ = std::move(copy);
-            complex_.journal.records = std::move(records); // copying the complex keeps its log
+            // The assignment noted a `rebuild`; the log goes on with the copy's records instead.
+            complex_.journal.records = std::move(records);
         }
     }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Runs a random scene for a few steps, with any strategy and random options: each step ends with a
-// valid complex and an exact list of interface vertices, replaying the log gives the same complex,
-// and three threads give the same ids as one, as one submesh does as none.
+// valid complex and an exact list of interface vertices, and replaying the log gives the same
+// complex. Results are the same, id by id, with three threads and with one, or in one submesh and
+// without submeshes.
 #include "fuzz/steps.h"
 #include "fuzz/target.h"
 #include "support/random/options.h"

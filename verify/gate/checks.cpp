@@ -56,8 +56,8 @@ double event_difference(const RunResult& a, const RunResult& b) {
     return sum;
 }
 
-// Submeshes must not cause additional work: if a split were left undone at a submesh boundary,
-// vertices would be made and removed again.
+// Submeshes must not cause additional work: an edit that a submesh boundary delays may look like a
+// fault of the mesh, and vertices that are inserted to repair it have to be removed again.
 double effort_ratio(const RunResult& a, const RunResult& b) {
     const auto splits_and_collapses = [](const RunResult& r) {
         return static_cast<double>(r.operations.at("splits") + r.operations.at("collapses"));
@@ -117,7 +117,7 @@ std::string unit_of(const std::string& figure) {
                                                        : "1";
 }
 
-// The check of a figure by its name in result files, from which limit and comparison follow.
+// The check of a figure by its name in result files, from which figure, culprit and unit follow.
 Check of_figure(std::string name, std::string description, std::string group,
                 const std::string& figure) {
     return {.name = std::move(name),

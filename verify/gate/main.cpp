@@ -176,7 +176,7 @@ int run(const Arguments& arguments) {
     const Chosen chosen = choose(arguments);
     const std::vector<Task> tasks = tasks_of(chosen.cases, chosen.only);
     const std::filesystem::path folder(arguments.out);
-    std::error_code ignored; // fails before the runs if the file cannot be written
+    std::error_code ignored; // `check_outputs` refuses a folder that cannot be written
     std::filesystem::create_directories(folder, ignored);
     std::vector<dsc::scenes::NamedFile> inputs;
     for (const std::string& suite : chosen.suites) {

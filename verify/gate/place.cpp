@@ -64,7 +64,8 @@ std::optional<Spot> inverted_triangle(const Mesh& mesh) {
     return std::nullopt;
 }
 
-// The point farthest from the exact shape at this time, if that shape is known.
+// The interface's worst place against the exact shape at this time: the largest excess turn for
+// Culprit::turn, otherwise the largest distance. None if the exact shape is not known.
 std::optional<Spot> against_exact(const Mesh& mesh, Culprit culprit, const scenes::Setup& setup,
                                   const scenes::Parameters& parameters, double time) {
     if (!setup.exact) {

@@ -70,7 +70,8 @@ Limit new_limit(const Check& check, int orders) {
 
 std::vector<Held> wanted(const Case& of, int orders) {
     std::vector<Held> all;
-    // Limits without a measurement and a rule are not changed.
+    // The suite's common limits are not changed, nor are limits that have neither a measurement nor
+    // a rule with a factor.
     std::ranges::copy_if(of.held, std::back_inserter(all), [](const Held& held) {
         return held.limit.is_own && (held.limit.measured || find_rule(held.limit.rule).factor != 1);
     });

@@ -146,7 +146,8 @@ void check_usage(const CaseReader& reader, const Case& c) {
     });
 }
 
-// `table` is the index of the [[case]], if the case is its only one.
+// `table` is the index of the [[case]]; none for one of its rows. A case keeps it only if no other
+// case comes from the same [[case]].
 void read_rows(const CaseReader& reader, const Common& common, std::optional<std::size_t> table,
                Cases& cases) {
     const std::vector<std::string> scenes = texts(reader, "scene");

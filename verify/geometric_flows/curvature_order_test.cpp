@@ -157,8 +157,8 @@ InTime in_time(const Bounded& shape, double duration, int steps) {
 TEST(CurvatureOrder, IsThreeHalvesInTimeAtJunctions) {
     struct Case {
         double tension;
-        double limit;  ///< of the error
-        double finest; ///< error with shorter steps: the rest is due to h
+        double limit;  ///< of the error with the longest steps
+        double finest; ///< limit of the error with the shortest steps, which is due to h
     };
     for (const auto& [tension, limit, finest] : {Case{1, 4e-4, 2e-4}, Case{1.6, 2e-3, 4e-4}}) {
         SCOPED_TRACE(tension);

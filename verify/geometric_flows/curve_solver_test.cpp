@@ -151,7 +151,7 @@ struct Pushes {
 };
 
 TEST(CurveSolver, SolvesNetworksOfEveryShape) {
-    CurveGraph graph; // the solver is reused for one network after the other
+    CurveGraph graph; // graph and solver are reused for one network after the other
     CurveSolver solver;
     std::size_t max_shares = 0;
     const InShares backwards = [&](std::size_t shares, const auto& task) {

@@ -198,7 +198,7 @@ TEST(InCircle, AgreesOnCocircularAndNearlyCocircularPoints) {
             d.x += sites.in(-1, 1);
             d.y += sites.in(-1, 1);
         }
-        // An offset that is exact in doubles, but whose square is not.
+        // With the offset, coordinates are exact in doubles, but their squares need not be.
         const std::int64_t offset = i % 3 == 0 ? 0 : std::int64_t{1} << sites.in(20, 48);
         for (Site* p : {&a, &b, &c, &d}) {
             p->x += offset;

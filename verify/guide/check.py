@@ -18,7 +18,7 @@ LONGEST = 300  # seconds: a build without optimisation, on a machine with other 
 
 
 def bare(language, lines):
-    """A source file must begin with its licence and a description."""
+    """The lines of a source file without the licence and the description at its top."""
     comment = "//" if language == "cpp" else "#"
     first = next((i for i, line in enumerate(lines) if not line.startswith(comment)), len(lines))
     return lines[first:] if language in ("cpp", "cmake", "python") else lines
@@ -170,7 +170,7 @@ def public_headers(root, module):
 
 
 def modules(root, names):
-    """The core must not name a module; a module may include only public headers of the rooms below it."""
+    """Each of `names`, the core first, may include only its own headers and public headers of those before it."""
     problems = []
     for at, module in enumerate(names):
         allowed = {header for other in names[:at] for header in public_headers(root, other)}

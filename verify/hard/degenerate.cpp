@@ -112,7 +112,7 @@ HardResult grid_case(const Perturbation& by, const std::string& how) {
     // The exact outlines include the perturbation.
     const auto first = scenes::interface_outlines(scene.complex);
     Watch<double> watch(scene.complex, scene.options, {.domain = unit_square}, result);
-    // Moves right, up, left and down, by 4 edges each in 8 steps.
+    // Moves right, up, and diagonally back to the start: by 4 edges along an axis, in 8 steps each.
     std::uint64_t flips = 0;
     bool going = true;
     const std::vector<Point<double>> legs{{1, 0}, {0, 1}, {-1, -1}};

@@ -22,7 +22,7 @@ using scenes::Outline;
 // markers take too long.
 constexpr scenes::MarkerOptions exact_markers{.spacing = 3e-3, .deviation = 1e-6};
 
-// Steps of this many edge lengths, none of which is too long.
+// Advects a shape in long or short steps; no step is too long, because sub-steps divide it.
 HardResult in_steps(const Advected& advected) {
     HardResult result = advect(advected);
     result.happened = "arrives everywhere, in at most " + std::to_string(result.max_sub_steps) +

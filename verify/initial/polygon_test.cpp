@@ -101,7 +101,8 @@ TEST(PolygonDomain, ShapesAreClippedAtItsBoundary) {
     EXPECT_NEAR(below(2), 0.6, 1e-12);
 }
 
-// Shapes share borders that cross the domain boundary, where each border must get an edge.
+// Shapes share borders that cross the domain boundary; both shapes have an edge of their own along
+// a border.
 TEST(PolygonDomain, SharedBordersMayCrossTheBoundary) {
     for (int seed = 0; seed < 20; ++seed) {
         const Point<double> middle(0.1 + 0.013 * seed, 0.3 - 0.007 * seed);

@@ -82,7 +82,8 @@ TEST(Movement, IsCertifiedWhereCoordinatesAreCoarse) {
     EXPECT_GT(partly, 20);
 }
 
-// Towards positions that are not finite, the rates of change of the areas are NaN.
+// The sides of the square follow the axes, so that for targets that are not finite some rates of
+// change of the areas are 0 times infinity, which is NaN.
 TEST(Movement, RefusesWhatIsNotFinite) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -85,7 +85,7 @@ TEST_F(BoundaryParts, CollapsesAlongTheBoundaryAndKeepsTheDomain) {
     EXPECT_FALSE(complex.is_alive(Vertex{v}));
     EXPECT_EQ(phase_area(complex, 0), 16);
     EXPECT_EQ(validate(complex).problem, "");
-    // After the collapse the worst quality is the predicted one; a corner is not removed.
+    // A corner of the domain is not removed.
     gather_at(0, 0);
     EXPECT_FALSE(collapse_on_boundary(work, star, {99, 99, 0.0}));
 }

@@ -232,7 +232,7 @@ class Drawn(unittest.TestCase):
         empty = dsc.initial_complex(((0, 0), (1, 1)), edge_length=H)
         x, y = empty.points[empty.triangles].mean(axis=1).T
         squares = 1 + (8 * x).astype(int) + 8 * (8 * y).astype(int)  # one row up is plus 8
-        mesh = dsc.Mesh(empty.points, empty.triangles, 7 * squares)  # all would be of one colour
+        mesh = dsc.Mesh(empty.points, empty.triangles, 7 * squares)  # taken cyclically, all colours would be equal
         drawn = dsc.plot(mesh, Figure().add_subplot(), interface=False).collections[0].get_array()
         colours = {int(phase): set(drawn[mesh.phases == phase].tolist()) for phase in np.unique(mesh.phases)}
         self.assertEqual({len(one) for one in colours.values()}, {1})

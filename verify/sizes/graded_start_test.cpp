@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The first complex with edges that grow away from the interface: as good as the uniform one,
-// small, and good enough that the first step changes nothing.
+// small, and good enough that the first step changes little.
 #include "dsc/algorithm/simulation.h"
 #include "dsc/initial/initial_complex.h"
 

@@ -60,8 +60,8 @@ TEST_F(Told, AreAllNeighboursOfATargetThatFalls) {
     EXPECT_EQ(told_of(2).size(), 6U);
 }
 
-// The new target reaches the neighbours (one edge) below their own targets, but would not over two
-// edges.
+// The new target, with the growth over one edge, is below the targets of the neighbours by more
+// than the slack; with the growth over two edges it would not be.
 TEST_F(Told, AreNeighboursThatAFallReachesJustSo) { EXPECT_EQ(told_of(3.3).size(), 6U); }
 
 TEST_F(Told, AreVisitedInTheNextPassOnceEach) {

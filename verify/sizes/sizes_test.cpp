@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Targets of edges that grow away from the interface, kept up to date as it moves, for every kind
-// of size option.
+// Targets of edges that grow away from the interface, kept up to date as it moves, sequentially and
+// in each division.
 #include "support/courses.h"
 #include "support/simulation_testing.h"
 

@@ -150,8 +150,8 @@ TEST(BoundaryFilms, NoVertexWetsTheBoundaryWhereTheApplicationSaysNo) {
 
 // --- thin regions that are not squeezed films -------------------------------------------------
 
-// Checks that a curve with phase 1 below it, which stays or slides along the domain boundary, does
-// not change the topology.
+// Checks that no film opens between the domain boundary and a curve with phase 1 below it, which
+// stays or slides along the boundary.
 void expect_left_alone(const std::vector<P>& curve, double speed, double contact) {
     const std::vector<Curve> curves{{curve, 0, 1}};
     auto complex = initial_complex<double>({}, curves, {.edge_length = h});

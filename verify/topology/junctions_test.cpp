@@ -105,7 +105,8 @@ TEST(BoundaryJunctions, ChangeToWhatCostsLess) {
         const auto events = change(complex);
         ASSERT_EQ(events.size(), 1U);
         EXPECT_EQ(events[0].kind, EventKind::t1);
-        // Both choices have the same energy: the phase with the smaller number loses the edge.
+        // If phase 2 takes the area, phases 1 and 3 could lose it at the same energy: the one with
+        // the smaller number does.
         EXPECT_EQ(events[0].lost, row.taken.contains(2) ? 1U : 2U);
         EXPECT_EQ((std::set<Phase>{events[0].taken[0], events[0].taken[1]}), row.taken);
         EXPECT_GT(events[0].area, 0);

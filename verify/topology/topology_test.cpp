@@ -210,7 +210,8 @@ TEST(Topology, AFilmThatOpensIsShared) {
     EXPECT_EQ(relabelled[1].made[1], events.front().taken[1]);
 }
 
-// A flow that keeps areas makes a filament thin without squeezing it, so the filament is not cut.
+// A flow that keeps areas makes a filament thin without squeezing it, so the filament is not cut,
+// except by the rule that opens all thin films.
 TEST(Topology, AFilamentIsDrawnOutWithoutEnd) {
     const std::vector<Shape> shapes{{test::circle_points({0.5, 0.5}, 0.12, 50), 1}};
     const auto strain = test::pointwise(

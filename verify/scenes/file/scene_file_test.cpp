@@ -137,7 +137,7 @@ TEST(SceneFile, ShapesOfSeveralPhasesRun) {
     EXPECT_NEAR(result.phases.phases[1].area, 0.24, 1e-9);
 }
 
-// A ring-shaped domain, from two outlines or from one with two pieces, which clips a disc.
+// A ring-shaped domain, given by two outlines, clips a disc.
 TEST(SceneFile, ADomainOfAnyShapeIsReadLikeAShape) {
     const std::string shape = "[[shape]]\ncircle = { centre = [0.9, 0.5], radius = 0.3 }\n";
     const std::string ring = "[[domain.outline]]\ncircle = { centre = [0.5, 0.5], radius = 0.5 }\n"

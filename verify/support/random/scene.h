@@ -54,7 +54,7 @@ private:
         }
         const std::uint64_t two = loaded_[0] | static_cast<std::uint64_t>(loaded_[1]) << 8U;
         loaded_ = loaded_.subspan(2);
-        return two * 0x0001000100010001U; // all bits of the seed are used
+        return two * 0x0001000100010001U; // four times, as callers use any of the bits
     }
 
     std::span<const std::uint8_t> loaded_;

@@ -56,7 +56,7 @@ std::unique_ptr<Partitioner<Real>> random_partitioner(Dice& dice, PartitionFamil
                          : family == PartitionFamily::counting ? Slabbing::counting
                                                                : Slabbing::active;
         slabs.submeshes = number_in(dice, 1, 9);
-        // Sometimes exactly 0, because vertical slabs have code of their own.
+        // Sometimes a multiple of 90 degrees, because slabs along an axis have code of their own.
         slabs.degrees = dice.chance(0.3) ? 90 * dice.in(0, 3) : dice.in(-400.0, 400.0);
         slabs.follow_shape = dice.chance(0.25);
         slabs.min_width = min_width;
