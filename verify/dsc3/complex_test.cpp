@@ -146,14 +146,24 @@ TEST(Validate3, NoticesEveryKindOfFault) {
                   c.give_tet(5);
               }),
               "");
-    // A moved boundary vertex: the boundary is no longer that of a box.
-    const auto p = problem([](Complex& c) {
-        for (std::uint32_t v = 0; v < c.vertex_bound(); ++v) {
-            if (c.at(v) == Point(2, 2, 0)) {
-                c.vertices[v].position.z() = -0.1;
-            }
-        }
-    });
+    // A boundary vertex off its side, as if it were not on it, and where it is not on one.
+    std::uint32_t below = 0;
+    while ((good.vertices[below].flags & vertex_boundary) != vertex_fixed_z ||
+           good.at(below).z() != 0) {
+        ++below;
+    }
+    EXPECT_NE(problem([&](Complex& c) { c.vertices[below].position.z() = -0.1; }), "");
+    EXPECT_NE(problem([&](Complex& c) { c.vertices[below].flags ^= vertex_fixed_x; }), "");
+    std::vector<Point> points;
+    for (std::uint32_t v = 0; v < good.vertex_bound(); ++v) {
+        points.push_back(good.at(v));
+    }
+    points[below].z() = -0.1;
+    std::vector<std::array<std::uint32_t, 4>> tets;
+    for (std::uint32_t t = 1; t < good.tet_bound(); ++t) {
+        tets.push_back(good.tets[t].v);
+    }
+    const auto p = validate(make_complex(points, tets, std::vector<Phase>(tets.size(), 0))).problem;
     EXPECT_NE(p.find("does not lie on a side"), std::string::npos) << p;
 }
 

@@ -16,17 +16,15 @@ namespace dsc3::test {
 
 using dsc::test::Random;
 
-/// A lattice of 4 x 4 x 4 cubes of side 1 with randomly moved inner vertices and up to three blobs
-/// of phases 1 and 2 inside, which may touch.
+/// A lattice of 4 x 4 x 4 cubes of side 1 with randomly moved vertices, on the sides within these,
+/// and up to three blobs of phases 1 and 2, which may touch and reach the sides.
 inline Complex random_mesh(std::uint64_t seed) {
     Random random(seed);
     Complex lattice = initial::lattice({{0, 0, 0}, {4, 4, 4}});
     Workspace work;
     for (std::uint32_t v = 0; v < lattice.vertex_bound(); ++v) {
-        if (!lattice.is_boundary(Vertex{v})) {
-            const Point by(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
-            nudge(lattice, work, Vertex{v}, lattice.at(v) + 0.8 * by, 1e-3);
-        }
+        const Point by(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
+        nudge(lattice, work, Vertex{v}, lattice.at(v) + 0.8 * by, 1e-3);
     }
     const std::uint32_t blobs = random.below(4);
     for (std::uint32_t blob = 0; blob < blobs; ++blob) {

@@ -78,8 +78,10 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
                 const std::uint32_t to = edge.b;
                 const Tets before = tets_of(complex);
                 const bool on_interface = is_interface(before, v);
-                if (is_boundary(before, {v}) ||
-                    (on_interface && (!is_interface(before, to) || is_boundary(before, {to})))) {
+                const Sides sides = sides_of(complex);
+                const bool is_free = !sides.contains(v);
+                if ((!is_free && common(sides, {v, to}) != sides.at(v)) ||
+                    (on_interface && !is_interface(before, to))) {
                     return false;
                 }
                 Tets after;
@@ -102,41 +104,42 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
                 if (worst(complex, made) < limit) {
                     return false;
                 }
-                if (!on_interface) {
+                if (!on_interface && is_free) {
                     return true;
                 }
-                const Ids of_v = neighbours_on_interface(before, v);
-                const Ids of_to = neighbours_on_interface(before, to);
-                Ids common;
+                const Ids of_v = neighbours_on_surface(before, v);
+                const Ids of_to = neighbours_on_surface(before, to);
+                Ids of_both;
                 std::set_intersection(of_v.begin(), of_v.end(), of_to.begin(), of_to.end(),
-                                      std::inserter(common, common.end()));
-                const std::size_t faces = interface_at(before, {v, to}).size();
+                                      std::inserter(of_both, of_both.end()));
+                const std::size_t faces = surface_at(before, {v, to}).size();
                 const auto keeps_faces = [&](std::uint32_t x) {
-                    return x == to || interface_at(before, {v, to, x}).empty() ||
-                           interface_at(before, {x}).size() > 3;
+                    return x == to || surface_at(before, {v, to, x}).empty() ||
+                           surface_at(before, {x}).size() > 3;
                 };
                 const auto vanishes = [&](Ids face) { // it falls onto another one
                     face.erase(v);
                     face.insert(to);
-                    return face.size() == 3 && !interface_at(before, face).empty();
+                    return face.size() == 3 && !surface_at(before, face).empty();
                 };
-                const std::set<Ids> of_faces = interface_at(before, {v});
-                const bool keeps_interface =
+                const std::set<Ids> of_faces = surface_at(before, {v});
+                const bool keeps_surface =
                     std::none_of(of_faces.begin(), of_faces.end(), vanishes) && faces > 0 &&
-                    common.size() == faces && interface_at(before, {v}).size() > 3 &&
-                    (is_sheet(before, v) || (faces != 2 && is_curve(before, v))) &&
+                    of_both.size() == faces && of_faces.size() > 3 &&
+                    (is_sheet(before, sides, v) ||
+                     (is_on_curve(before, sides, v, to) && is_curve(before, sides, v))) &&
                     std::all_of(of_v.begin(), of_v.end(), keeps_faces) &&
-                    std::none_of(common.begin(), common.end(), [&](std::uint32_t x) {
-                        return interface_at(before, {v, x}).size() != 2 &&
-                               interface_at(before, {to, x}).size() != 2;
+                    std::none_of(of_both.begin(), of_both.end(), [&](std::uint32_t x) {
+                        return is_on_curve(before, sides, v, x) &&
+                               is_on_curve(before, sides, to, x);
                     });
-                if (keeps_interface) {
+                if (keeps_surface) {
                     for (const std::uint32_t x : of_v) {
-                        EXPECT_TRUE(!is_sheet(before, x) || is_sheet(after, x));
-                        EXPECT_TRUE(!is_curve(before, x) || is_curve(after, x));
+                        EXPECT_TRUE(!is_sheet(before, sides, x) || is_sheet(after, sides, x));
+                        EXPECT_TRUE(!is_curve(before, sides, x) || is_curve(after, sides, x));
                     }
                 }
-                return keeps_interface;
+                return keeps_surface;
             },
             [&](Complex& complex, Workspace& work, const EdgeAt& edge) {
                 return edge_collapse(complex, work, Vertex{edge.a}, Vertex{edge.b}, rules);
@@ -146,7 +149,8 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
     }
 }
 
-// The link of an edge inside, in order, such that (a, b, x, next) has positive orientation.
+// The link of an edge, in order, such that (a, b, x, next) has positive orientation; it is open if
+// the edge is on the domain boundary.
 std::vector<std::uint32_t> link_of(const Complex& complex, const Tets& ring, std::uint32_t a,
                                    std::uint32_t b) {
     std::map<std::uint32_t, std::uint32_t> next;
@@ -159,9 +163,16 @@ std::vector<std::uint32_t> link_of(const Complex& complex, const Tets& ring, std
         }
         next[others[0]] = others[1];
     }
-    std::vector<std::uint32_t> link{next.begin()->first};
-    while (link.size() < ring.size()) {
-        link.push_back(next.at(link.back()));
+    std::uint32_t first = next.begin()->first;
+    for (const auto& [x, after] : next) {
+        const bool is_after_none = std::none_of(
+            next.begin(), next.end(), [&](const auto& other) { return other.second == x; });
+        first = is_after_none ? x : first;
+    }
+    std::vector<std::uint32_t> link{first};
+    for (auto at = next.find(first); at != next.end() && at->second != first;
+         at = next.find(at->second)) {
+        link.push_back(at->second);
     }
     return link;
 }
@@ -192,12 +203,15 @@ TEST(Reference3, EdgesAreRemovedWhereOneOfAllTriangulationsIsBetter) {
             const Tets before = tets_of(complex);
             const Ids ends{edge.a, edge.b};
             const Tets ring = with(before, ends);
-            if (is_boundary(before, ends) || !interface_at(before, ends).empty() ||
-                ring.size() > polygon_limit) {
+            const auto link = link_of(complex, ring, edge.a, edge.b);
+            if (!interface_at(before, ends).empty() || link.size() > polygon_limit ||
+                (is_boundary(before, ends) &&
+                 (link.size() < 3 ||
+                  common(sides_of(complex), {edge.a, edge.b, link.front(), link.back()})
+                      .empty()))) {
                 return false;
             }
-            const Real best =
-                best_of_all(complex, edge.a, edge.b, link_of(complex, ring, edge.a, edge.b));
+            const Real best = best_of_all(complex, edge.a, edge.b, link);
             const Real limit = 1.0001 * worst(complex, ring);
             return is_near(best, limit) ? std::nullopt : Answer(best > limit);
         },
@@ -267,8 +281,8 @@ TEST(Reference3, InterfaceEdgesFlipWhereBothSidesCanBeFilled) {
                 return std::nullopt;
             }
             const Ids crossing{c, d};
-            if (angles < 180 || !interface_at(before, crossing).empty() ||
-                interface_at(before, {a}).size() < 4 || interface_at(before, {b}).size() < 4) {
+            if (angles < 180 || !surface_at(before, crossing).empty() ||
+                surface_at(before, {a}).size() < 4 || surface_at(before, {b}).size() < 4) {
                 return false;
             }
             const Tets ring = with(before, ends);

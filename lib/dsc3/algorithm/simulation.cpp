@@ -132,6 +132,12 @@ void Simulation::find_origins() {
         const bool is_late = next != late.end() && next->vertex == v;
         origins_.push_back(is_late ? next->target : complex_.at(v));
     }
+    fixed_.clear();
+    if (state_.ends_on_sides) {
+        for (const std::uint32_t v : state_.interface) {
+            fixed_.push_back(complex_.vertices[v].flags & vertex_boundary);
+        }
+    }
 }
 
 // Calls `work(share, begin, end)` for shares of the vertices, which are all of them if the
@@ -157,10 +163,15 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
     held_.assign(n, 0);
     const std::span<const Point> origins(origins_);
     const std::span<Point> targets(targets_);
+    const std::span<const std::uint32_t> fixed(fixed_);
+    const auto fixed_of = [&](std::size_t begin, std::size_t end) {
+        return fixed.empty() ? fixed : fixed.subspan(begin, end - begin);
+    };
     in_shares(n, [&](std::uint32_t share, std::size_t begin, std::size_t end) {
         auto& first = scratch_[share].first;
         first.resize(end - begin);
         velocity(origins.subspan(begin, end - begin), time, first);
+        keep_on_sides(first, fixed_of(begin, end));
         Real fastest = 0;
         for (std::size_t i = begin; i < end; ++i) {
             Point& v = first[i - begin];
@@ -179,9 +190,9 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
     for (; pieces <= room; pieces *= 2) {
         const Real part = remaining / pieces;
         in_shares(n, [&](std::uint32_t share, std::size_t begin, std::size_t end) {
-            largest_[share] =
-                integrate(options_.integrator, velocity, origins.subspan(begin, end - begin), time,
-                          part, targets.subspan(begin, end - begin), scratch_[share]);
+            largest_[share] = integrate(
+                options_.integrator, velocity, origins.subspan(begin, end - begin), time, part,
+                targets.subspan(begin, end - begin), scratch_[share], fixed_of(begin, end));
         });
         const Real error = *std::max_element(largest_.begin(), largest_.end());
         Real farthest = 0;

@@ -108,6 +108,27 @@ void Complex::set_phase(Tet t, Phase phase) {
     }
 }
 
+std::uint32_t Complex::fixed_along(std::uint32_t a, std::uint32_t b) const {
+    std::uint32_t fixed = vertices[a].flags & vertices[b].flags & vertex_boundary;
+    for (int k = 0; k < 3; ++k) {
+        if (at(a)[k] != at(b)[k]) {
+            fixed &= ~(vertex_fixed_x << k);
+        }
+    }
+    return fixed;
+}
+
+std::uint32_t fixed_at(const Complex& complex, Corner corner) {
+    const auto [a, b, c] = complex.face(corner);
+    std::uint32_t fixed = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (complex.at(a)[k] == complex.at(b)[k] && complex.at(a)[k] == complex.at(c)[k]) {
+            fixed |= vertex_fixed_x << k;
+        }
+    }
+    return fixed == 0 ? std::uint32_t{vertex_boundary} : fixed;
+}
+
 namespace {
 
 struct FaceOfTet {
@@ -153,7 +174,8 @@ void mark_vertices(Complex& complex) {
             const Corner other = complex.twin(corner);
             complex.vertices[complex.vertex(corner)].corner = corner;
             if (complex.phase_at(other) != complex.phase_at(corner)) {
-                const std::uint32_t flag = is_border(other) ? vertex_boundary : vertex_interface;
+                const std::uint32_t flag =
+                    is_border(other) ? fixed_at(complex, corner) : vertex_interface;
                 for (const std::uint32_t v : complex.face(corner)) {
                     complex.vertices[v].flags |= flag;
                 }

@@ -35,13 +35,20 @@ using VertexAttribute = dsc::Attribute<T, Vertex>;
 template <class T>
 using TetAttribute = dsc::Attribute<T, Tet>;
 
-/// Properties of a vertex. The first two follow from the tets around it; `validate` checks them.
+/// Properties of a vertex. All but the last two follow from the tets around it; `validate` checks
+/// them.
 enum VertexFlag : std::uint32_t {
     vertex_interface = 1U, ///< on a face between two phases
-    vertex_boundary = 2U,  ///< on a face of the domain boundary: it does not move
     vertex_dead = 4U,      ///< the id is free
     /// Smoothing cannot improve the star until it changes.
     vertex_settled = 8U,
+    /// On a side of the domain that is perpendicular to the axis: the coordinate is fixed, so the
+    /// vertex stays on the side. On a side that is oblique, all three are.
+    vertex_fixed_x = 16U,
+    vertex_fixed_y = 32U, ///< the same for y
+    vertex_fixed_z = 64U, ///< the same for z
+    /// On the domain boundary: any of the three.
+    vertex_boundary = vertex_fixed_x | vertex_fixed_y | vertex_fixed_z,
 };
 
 /// A tet, by id.
@@ -133,6 +140,10 @@ public:
         return (vertices[v.id].flags & vertex_boundary) != 0;
     }
 
+    /// Those of `vertex_fixed_x`, `vertex_fixed_y` and `vertex_fixed_z` that two vertices on the
+    /// domain boundary have in common, on the same sides; with one vertex twice, its own.
+    [[nodiscard]] std::uint32_t fixed_along(std::uint32_t a, std::uint32_t b) const;
+
     // --- ids ----------------------------------------------------------------------------------
     /// The id of a new vertex, which has no tet yet.
     std::uint32_t take_vertex(const Point& position, std::uint32_t flags);
@@ -160,6 +171,20 @@ public:
     std::vector<std::uint32_t> free_vertices; ///< ids without a vertex
     std::vector<std::uint32_t> free_tets;     ///< ids without a tet
 };
+
+/// The coordinates that a face of the domain boundary, opposite to a corner, fixes: those that its
+/// three vertices have in common; all three, if it is oblique. O(1).
+[[nodiscard]] std::uint32_t fixed_at(const Complex& complex, Corner corner);
+
+/// Replaces the fixed coordinates of a place by those of a point: the place is then on the same
+/// sides of the domain. O(1).
+inline void keep_on_sides(Point& place, const Point& point, std::uint32_t fixed) {
+    for (int k = 0; k < 3; ++k) {
+        if ((fixed & (vertex_fixed_x << k)) != 0) {
+            place[k] = point[k];
+        }
+    }
+}
 
 /// Builds a complex from arrays: `tets` index into `points` and may be oriented either way;
 /// `phases` has one entry a tet. Throws InputError if a coordinate is not finite, an index is out

@@ -125,12 +125,6 @@ private:
                 surfaces_.is_on(shape, v)) {
                 values_[v] = 0; // another part of this surface has been cut there
             }
-            if (complex_.is_boundary(Vertex{v}) && values_[v] <= 0 && shape.divides.empty()) {
-                throw InputError({.what = "a shape reaches the sides of the domain",
-                                  .where = "initial_complex, at " + to_text(complex_.at(v)),
-                                  .value = "a distance of " + dsc::to_text(values_[v]),
-                                  .allowed = "shapes that lie inside the domain"});
-            }
         }
         for (std::uint32_t t = 1; t < complex_.tet_bound(); ++t) {
             const auto& v = complex_.tets[t].v;
@@ -173,13 +167,16 @@ private:
     void snap(const Shape& shape) {
         for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
             if (!(std::abs(values_[v]) < snap_distance * shortest_[v]) ||
-                complex_.is_boundary(Vertex{v}) ||
                 (complex_.is_interface(Vertex{v}) && shape.divides.empty())) {
                 continue;
             }
             initial::ShapeList surfaces = surfaces_.at(v);
             surfaces.push_back(&shape);
-            const Point to = surfaces_.project(surfaces, complex_.at(v));
+            const std::uint32_t fixed = fixed_at(v);
+            const Point to = surfaces_.project(surfaces, complex_.at(v), fixed);
+            if (fixed != 0 && !surfaces_.is_on(surfaces, to)) {
+                continue; // the surface does not meet this side, or edge of the domain, there
+            }
             gather(complex_, v, work_.star);
             work_.quality.gather(complex_, work_.star);
             const bool is_on_old = surfaces.size() > 1;
@@ -209,7 +206,8 @@ private:
                 if (complex_.is_interface(made)) { // where the surfaces meet
                     initial::ShapeList surfaces = surfaces_.between(v[i], v[j]);
                     surfaces.push_back(&shape);
-                    const Point to = surfaces_.project(surfaces, complex_.position(made));
+                    const Point to =
+                        surfaces_.project(surfaces, complex_.position(made), fixed_at(made.id));
                     if (!nudge(complex_, work_, made, to, junction_insertion)) {
                         beside_.push_back({made.id, complex_.position(made), std::move(surfaces)});
                     }
@@ -243,15 +241,8 @@ private:
         return sum != 0 ? sum < 0 : shape.distance(centre) < 0;
     }
 
-    // Throws if the interface reaches the sides of the domain.
-    void expect_inside(std::uint32_t v) const {
-        if (complex_.is_boundary(Vertex{v})) {
-            throw InputError(
-                {.what = "a shape reaches the sides of the domain",
-                 .where = "initial_complex, at " + to_text(complex_.at(v)),
-                 .value = "an interface vertex on a side",
-                 .allowed = "shapes, and parts of phases, that lie inside the domain"});
-        }
+    [[nodiscard]] std::uint32_t fixed_at(std::uint32_t v) const {
+        return complex_.fixed_along(v, v);
     }
 
     // Marks the vertices of the interface; the shape may have covered a part of an earlier one.
@@ -265,7 +256,6 @@ private:
                 if (!is_border(other) && complex_.phase_at(other) != complex_.phases[t]) {
                     for (const std::uint32_t v : complex_.face(corner_of(t, i))) {
                         complex_.vertices[v].flags |= vertex_interface;
-                        expect_inside(v);
                     }
                 }
             }
@@ -302,7 +292,8 @@ private:
             }
             const bool arrives =
                 nudge(complex_, work_, Vertex{each.vertex},
-                      surfaces_.project(each.surfaces, each.place), junction_insertion);
+                      surfaces_.project(each.surfaces, each.place, fixed_at(each.vertex)),
+                      junction_insertion);
             each.place = complex_.at(each.vertex);
             return arrives;
         });

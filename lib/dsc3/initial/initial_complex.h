@@ -51,12 +51,13 @@ struct InitialOptions {
     Real max_tets = 2e7;     ///< more are refused: about four gigabytes
 };
 
-/// Fills `domain` with tets, with the surfaces of `shapes` as the interface. Where a shape lies
-/// inside another, the later one counts. The same input gives bitwise identical meshes.
+/// Fills `domain` with tets, with the surfaces of `shapes` as the interface, which ends on the
+/// sides of the domain where a shape reaches beyond them. Where a shape lies inside another, the
+/// later one counts. The same input gives bitwise identical meshes.
 ///
 /// \throw InputError if a side or the edge length is out of range, more than `max_tets` tets are
-/// needed, or a shape reaches the sides of the domain, is nearer than two edge lengths to another
-/// that it does not divide, or is too small for the mesh.
+/// needed, or a shape is nearer than two edge lengths to another that it does not divide, or is too
+/// small for the mesh.
 [[nodiscard]] Complex initial_complex(const Box& domain, std::span<const Shape> shapes,
                                       const InitialOptions& options = {});
 

@@ -47,6 +47,12 @@ bool Surfaces::is_on(const Shape& shape, std::uint32_t vertex) const {
     return std::abs(shape.distance(complex_.at(vertex))) < on_surface * edge_length_;
 }
 
+bool Surfaces::is_on(const ShapeList& surfaces, const Point& p) const {
+    return std::all_of(surfaces.begin(), surfaces.end(), [&](const Shape* shape) {
+        return std::abs(shape->distance(p)) < on_surface * edge_length_;
+    });
+}
+
 ShapeList Surfaces::at(std::uint32_t vertex) const {
     return complex_.is_interface(Vertex{vertex}) ? between(vertex, vertex) : ShapeList();
 }
@@ -62,7 +68,7 @@ ShapeList Surfaces::between(std::uint32_t a, std::uint32_t b) const {
 }
 
 // By Newton's method.
-Point Surfaces::project(const Distance& distance, Point p) const {
+Point Surfaces::project(const Distance& distance, Point p, std::uint32_t fixed) const {
     const Real e = 1e-5 * edge_length_;
     for (int i = 0; i < 4; ++i) {
         Point gradient;
@@ -73,6 +79,7 @@ Point Surfaces::project(const Distance& distance, Point p) const {
             from[k] -= e;
             gradient[k] = (distance(to) - distance(from)) / (2 * e);
         }
+        keep_on_sides(gradient, Point::Zero(), fixed);
         const Real square = gradient.squaredNorm();
         if (!(square > 1e-6)) {
             break;
@@ -82,10 +89,10 @@ Point Surfaces::project(const Distance& distance, Point p) const {
     return p;
 }
 
-Point Surfaces::project(const ShapeList& surfaces, Point p) const {
+Point Surfaces::project(const ShapeList& surfaces, Point p, std::uint32_t fixed) const {
     for (int round = 0; round < (surfaces.size() > 1 ? rounds_of_several : 1); ++round) {
         for (const Shape* shape : surfaces) {
-            p = project(shape->distance, p);
+            p = project(shape->distance, p, fixed);
         }
     }
     return p;
@@ -93,9 +100,10 @@ Point Surfaces::project(const ShapeList& surfaces, Point p) const {
 
 Point Surfaces::place_between(Workspace& work, std::uint32_t a, std::uint32_t b) const {
     const Point middle = midpoint(complex_.at(a), complex_.at(b));
+    const std::uint32_t fixed = complex_.fixed_along(a, b);
     ShapeList surfaces = between(a, b);
     if (surfaces.size() < 2) {
-        return surfaces.empty() ? project_nearest(middle) : project(surfaces, middle);
+        return surfaces.empty() ? project_nearest(middle, fixed) : project(surfaces, middle, fixed);
     }
     gather(complex_, a, work.star);
     gather(complex_, work.star, work.interface_star);
@@ -107,10 +115,10 @@ Point Surfaces::place_between(Workspace& work, std::uint32_t a, std::uint32_t b)
                 return std::abs(x->distance(middle)) < std::abs(y->distance(middle));
             })};
     }
-    return project(surfaces, middle);
+    return project(surfaces, middle, fixed);
 }
 
-Point Surfaces::project_nearest(const Point& p) const {
+Point Surfaces::project_nearest(const Point& p, std::uint32_t fixed) const {
     const auto nearest =
         std::min_element(shapes_.begin(), shapes_.end(), [&](const Shape& x, const Shape& y) {
             return std::abs(x.distance(p)) < std::abs(y.distance(p));
@@ -118,7 +126,7 @@ Point Surfaces::project_nearest(const Point& p) const {
     if (nearest == shapes_.end()) {
         return p;
     }
-    const Point to = project(nearest->distance, p);
+    const Point to = project(nearest->distance, p, fixed);
     return (to - p).norm() < 0.5 * edge_length_ ? to : p;
 }
 

@@ -28,18 +28,21 @@ public:
     [[nodiscard]] Real distance(const Point& p) const;
     /// Whether the vertex is on the surface, up to a thousandth of an edge.
     [[nodiscard]] bool is_on(const Shape& shape, std::uint32_t vertex) const;
+    /// Whether a point is on all of these surfaces, up to a thousandth of an edge.
+    [[nodiscard]] bool is_on(const ShapeList& surfaces, const Point& p) const;
     /// The surfaces on which an interface vertex lies; none for other vertices. O(shapes).
     [[nodiscard]] ShapeList at(std::uint32_t vertex) const;
     /// The surfaces on which both ends of an edge lie. O(shapes).
     [[nodiscard]] ShapeList between(std::uint32_t a, std::uint32_t b) const;
-    /// The projection of p onto all of these surfaces.
-    [[nodiscard]] Point project(const ShapeList& surfaces, Point p) const;
+    /// The projection of p onto all of these surfaces, within the sides of the domain that fix
+    /// coordinates of p.
+    [[nodiscard]] Point project(const ShapeList& surfaces, Point p, std::uint32_t fixed) const;
     /// The place of a new vertex on an edge of the interface: on all surfaces that meet there.
     [[nodiscard]] Point place_between(Workspace& work, std::uint32_t a, std::uint32_t b) const;
 
 private:
-    [[nodiscard]] Point project(const Distance& distance, Point p) const;
-    [[nodiscard]] Point project_nearest(const Point& p) const;
+    [[nodiscard]] Point project(const Distance& distance, Point p, std::uint32_t fixed) const;
+    [[nodiscard]] Point project_nearest(const Point& p, std::uint32_t fixed) const;
 
     const Complex& complex_;
     std::span<const Shape> shapes_;

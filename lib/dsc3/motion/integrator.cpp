@@ -11,9 +11,10 @@ namespace {
 class Stages {
 public:
     Stages(const Velocity& velocity, std::span<const Point> positions, Real time, Real dt,
-           std::span<Point> targets, IntegratorScratch& scratch)
+           std::span<Point> targets, IntegratorScratch& scratch,
+           std::span<const std::uint32_t> fixed)
         : velocity_(velocity), positions_(positions), time_(time), dt_(dt), targets_(targets),
-          scratch_(scratch) {
+          scratch_(scratch), fixed_(fixed) {
         scratch.stage.resize(positions.size());
         scratch.slope.resize(positions.size());
     }
@@ -43,7 +44,7 @@ public:
     Real adaptive() {
         rk4();
         std::swap(scratch_.sum, scratch_.slope); // `sum` is now the fourth stage
-        velocity_(targets_, time_ + dt_, scratch_.slope);
+        find_velocities(targets_, time_ + dt_);
         Real largest = 0;
         for (std::size_t i = 0; i < positions_.size(); ++i) {
             const Real square = (scratch_.sum[i] - scratch_.slope[i]).squaredNorm();
@@ -58,7 +59,11 @@ private:
         for (std::size_t i = 0; i < positions_.size(); ++i) {
             scratch_.stage[i] = positions_[i] + share * dt_ * along[i];
         }
-        velocity_(scratch_.stage, time_ + share * dt_, scratch_.slope);
+        find_velocities(scratch_.stage, time_ + share * dt_);
+    }
+    void find_velocities(std::span<const Point> at, Real time) {
+        velocity_(at, time, scratch_.slope);
+        keep_on_sides(scratch_.slope, fixed_);
     }
     void add_twice() {
         for (std::size_t i = 0; i < positions_.size(); ++i) {
@@ -77,13 +82,21 @@ private:
     Real dt_;
     std::span<Point> targets_;
     IntegratorScratch& scratch_;
+    std::span<const std::uint32_t> fixed_;
 };
 
 } // namespace
 
+void keep_on_sides(std::span<Point> velocities, std::span<const std::uint32_t> fixed) {
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+        keep_on_sides(velocities[i], Point::Zero(), fixed[i]);
+    }
+}
+
 Real integrate(Integrator integrator, const Velocity& velocity, std::span<const Point> positions,
-               Real time, Real dt, std::span<Point> targets, IntegratorScratch& scratch) {
-    Stages stages(velocity, positions, time, dt, targets, scratch);
+               Real time, Real dt, std::span<Point> targets, IntegratorScratch& scratch,
+               std::span<const std::uint32_t> fixed) {
+    Stages stages(velocity, positions, time, dt, targets, scratch, fixed);
     switch (integrator) {
     case Integrator::euler: stages.euler(); break;
     case Integrator::midpoint: stages.midpoint(); break;

@@ -28,8 +28,13 @@ struct IntegratorScratch {
 
 /// targets[i] = positions[i] advected to time + dt. `scratch.first` must hold the velocities at
 /// (positions, time). Returns the largest finite estimate of the error of this step, a length; 0
-/// for all methods except `adaptive`. O(n).
+/// for all methods except `adaptive`. `fixed` has the fixed coordinates of each position
+/// (`vertex_fixed_x`, ...), which no stage changes; empty: there are none. O(n).
 Real integrate(Integrator integrator, const Velocity& velocity, std::span<const Point> positions,
-               Real time, Real dt, std::span<Point> targets, IntegratorScratch& scratch);
+               Real time, Real dt, std::span<Point> targets, IntegratorScratch& scratch,
+               std::span<const std::uint32_t> fixed = {});
+
+/// Velocities along the sides: their fixed coordinates become 0.
+void keep_on_sides(std::span<Point> velocities, std::span<const std::uint32_t> fixed);
 
 } // namespace dsc3

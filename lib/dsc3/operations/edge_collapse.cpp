@@ -55,8 +55,8 @@ bool is_near_curve(const Complex& complex, const InterfaceStar& interface_star,
 }
 
 // A sheet stays a sheet, a curve a curve, and neither turns much.
-Verdict interface_guard(const Complex& complex, Workspace& work, std::uint32_t target,
-                        const CollapseRules& rules) {
+Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t target,
+                      const CollapseRules& rules) {
     InterfaceStar& interface_star = work.interface_star;
     gather(complex, work.star, interface_star);
     const Stratum stratum = classify(interface_star);
@@ -136,15 +136,13 @@ Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vani
     if (!complex.is_alive(vanishing) || !complex.is_alive(target) || vanishing == target) {
         return Verdict::not_a_simplex;
     }
-    if (complex.is_boundary(vanishing)) {
+    const std::uint32_t fixed = complex.fixed_along(vanishing.id, vanishing.id);
+    if ((complex.fixed_along(vanishing.id, target.id) & fixed) != fixed) {
         return Verdict::on_boundary;
     }
     const bool on_interface = complex.is_interface(vanishing);
     if (on_interface && !complex.is_interface(target)) {
         return Verdict::on_interface;
-    }
-    if (on_interface && complex.is_boundary(target)) {
-        return Verdict::on_boundary; // more of the domain boundary would be on the interface
     }
     gather(complex, vanishing.id, work.star);
     StarQuality& quality = work.quality;
@@ -159,7 +157,8 @@ Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vani
     if (!(quality.worst(complex.position(target), quality.others()) > needed)) {
         return Verdict::inverts;
     }
-    return on_interface ? interface_guard(complex, work, target.id, rules) : Verdict::legal;
+    return on_interface || fixed != 0 ? surface_guard(complex, work, target.id, rules)
+                                      : Verdict::legal;
 }
 
 Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Vertex target,
@@ -172,16 +171,25 @@ Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Verte
     auto& made = work.rewiring.made;
     old.clear();
     made.clear();
+    std::uint32_t unmatched =
+        0; // faces on the sides: those at the vertex, and what becomes of them
     for (const Corner corner : work.star.corners) {
         const std::uint32_t t = tet_of(corner);
         old.push_back(t);
+        for (const std::uint32_t i : face_indices[index_of(corner)]) {
+            if (is_border(complex.tets[t].n[i])) {
+                const auto face = complex.face(corner_of(t, i));
+                const bool vanishes = std::find(face.begin(), face.end(), target.id) != face.end();
+                unmatched += vanishes ? 1U : 2U;
+            }
+        }
         if (!has_vertex(complex.tets[t], target.id)) {
             made.push_back({complex.tets[t].v, complex.phases[t]});
             made.back().v[index_of(corner)] = target.id;
         }
     }
     ++(complex.is_interface(vanishing) ? work.counts.interface_collapses : work.counts.collapses);
-    replace(complex, work.rewiring, old, made);
+    replace(complex, work.rewiring, old, made, unmatched);
     give_vertex(complex, work.rewiring, vanishing.id);
     return Verdict::legal;
 }

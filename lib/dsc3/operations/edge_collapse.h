@@ -18,9 +18,10 @@ struct CollapseRules {
 };
 
 /// Whether `vanishing` may be merged into `target`. An interface vertex may be removed along an
-/// interface edge whose ends both lie on sheets, if the interface remains a manifold (the link
-/// condition: the ends have two common neighbours), and if the vertex lies within `rules.deviation`
-/// of the new interface. `work` then holds the collapse. O(degree).
+/// interface edge, if it lies on a sheet, or the edge on its curve, if the interface remains a
+/// manifold (the link condition: common neighbours are those of the faces at the edge), and if the
+/// vertex lies within `rules.deviation` of the new interface. A vertex on sides of the domain may
+/// be removed along them. `work` then holds the collapse. O(degree).
 [[nodiscard]] Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vanishing,
                                           Vertex target, const CollapseRules& rules = {});
 

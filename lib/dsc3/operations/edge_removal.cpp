@@ -25,6 +25,16 @@ void append(Workspace& work, std::uint32_t a, std::uint32_t b,
     append(work, a, b, polygon, k, j, phase);
 }
 
+std::uint32_t link_size(const Ring& ring) { return ring.closed ? ring.size : ring.size + 1; }
+
+// Whether both faces of the domain boundary at the edge of an open ring lie on one side; otherwise
+// tets would be missing, or stick out, without the edge.
+bool is_within_side(const Complex& complex, const EdgeAt& edge, const Ring& ring) {
+    return ring.size > 1 &&
+           (complex.fixed_along(edge.a, edge.b) & complex.fixed_along(edge.a, ring.vertices[0]) &
+            complex.fixed_along(edge.a, ring.vertices[ring.size])) != 0;
+}
+
 } // namespace
 
 // polygon_quality[i][j] is the best worst quality over the piece from vertex i to vertex j, and
@@ -71,10 +81,10 @@ void append_triangulation(Workspace& work, std::uint32_t a, std::uint32_t b,
 
 Verdict edge_removal_guard(const Complex& complex, Workspace& work, const EdgeAt& edge, Real gain) {
     Ring& ring = work.ring;
-    if (!gather(complex, edge, ring) || ring.size > polygon_limit) {
+    if (!gather(complex, edge, ring) || link_size(ring) > polygon_limit) {
         return Verdict::no_gain;
     }
-    if (!ring.closed) {
+    if (!ring.closed && !is_within_side(complex, edge, ring)) {
         return Verdict::on_boundary;
     }
     if (!has_one_phase(complex, ring)) {
@@ -82,8 +92,8 @@ Verdict edge_removal_guard(const Complex& complex, Workspace& work, const EdgeAt
     }
     const Real before = worst_quality(complex, ring);
     const Real floor = std::max({before * gain, before + 1e-9, quality_floor});
-    return best_triangulation(complex, work, edge.a, edge.b, {ring.vertices.data(), ring.size},
-                              floor) > floor
+    return best_triangulation(complex, work, edge.a, edge.b,
+                              {ring.vertices.data(), link_size(ring)}, floor) > floor
                ? Verdict::legal
                : Verdict::no_gain;
 }
@@ -93,9 +103,11 @@ Verdict edge_removal(Complex& complex, Workspace& work, const EdgeAt& edge, Real
     if (verdict == Verdict::legal) {
         const Ring& ring = work.ring;
         work.rewiring.made.clear();
-        append_triangulation(work, edge.a, edge.b, {ring.vertices.data(), ring.size},
+        append_triangulation(work, edge.a, edge.b, {ring.vertices.data(), link_size(ring)},
                              complex.phases[ring.tets[0]]);
-        replace(complex, work.rewiring, {ring.tets.data(), ring.size}, work.rewiring.made);
+        // On a side two faces become two others.
+        replace(complex, work.rewiring, {ring.tets.data(), ring.size}, work.rewiring.made,
+                ring.closed ? 0 : 4);
         ++work.counts.edge_removals;
     }
     return verdict;

@@ -10,7 +10,8 @@
 
 namespace dsc3 {
 
-/// Whether removing the edge would raise the worst quality of the tets around it by this factor.
+/// Whether removing the edge would raise the worst quality of the tets around it by this factor. Of
+/// edges on the domain boundary, those within a side may be removed.
 /// `work` then holds the triangulation. O(n^3) for n tets.
 [[nodiscard]] Verdict edge_removal_guard(const Complex& complex, Workspace& work,
                                          const EdgeAt& edge, Real gain = 1.0001);

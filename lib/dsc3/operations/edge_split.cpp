@@ -8,11 +8,13 @@
 
 namespace dsc3 {
 
-Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const Point& place) {
+Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, Point place) {
     Ring& ring = work.ring;
     if (!gather(complex, edge, ring)) {
         return {};
     }
+    const std::uint32_t fixed = ring.closed ? 0 : complex.fixed_along(edge.a, edge.b);
+    keep_on_sides(place, complex.at(edge.a), fixed);
     auto& made = work.rewiring.made;
     made.clear();
     bool on_interface = false;
@@ -35,9 +37,8 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, const P
         made.push_back(one);
         made.push_back(two);
     }
-    const std::uint32_t v = take_vertex(complex, work.rewiring, place,
-                                        (on_interface ? vertex_interface : 0U) |
-                                            (ring.closed ? 0U : std::uint32_t{vertex_boundary}));
+    const std::uint32_t v =
+        take_vertex(complex, work.rewiring, place, (on_interface ? vertex_interface : 0U) | fixed);
     if (!complex.attributes.empty(dsc::SimplexKind::vertex)) {
         const Point way = complex.at(edge.b) - complex.at(edge.a);
         const Real fraction = (place - complex.at(edge.a)).dot(way) / way.squaredNorm();
@@ -81,8 +82,10 @@ bool nudge(Complex& complex, Workspace& work, Vertex vertex, const Point& place,
     gather(complex, vertex.id, work.star);
     work.quality.gather(complex, work.star);
     const Point from = complex.position(vertex);
+    Point target = place;
+    keep_on_sides(target, from, complex.vertices[vertex.id].flags);
     for (Real fraction = 1; fraction > 0.1; fraction /= 2) {
-        const Point to = fraction == 1 ? place : Point(from + fraction * (place - from));
+        const Point to = fraction == 1 ? target : Point(from + fraction * (target - from));
         if (work.quality.worst(to) > floor) {
             complex.vertices[vertex.id].position = to;
             note_edit(complex, work.rewiring);

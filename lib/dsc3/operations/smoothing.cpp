@@ -71,8 +71,11 @@ void unsettle(Complex& complex, Workspace& work) {
 // Stars of this quality are not improved further, which saves a tenth of a step.
 constexpr Real smooth_enough = 0.4;
 
-Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations) {
-    const Point mean = star.mean();
+Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations,
+                 std::uint32_t fixed) {
+    const Point start = place;
+    Point mean = star.mean();
+    keep_on_sides(mean, start, fixed);
     if (const Real there = star.worst(mean); there > quality) {
         quality = there;
         place = mean;
@@ -83,9 +86,13 @@ Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations) 
                             .enough = smooth_enough,
                             .iterations = iterations,
                             .attempts = 3};
-    const auto same = [](const Point& p) { return p; };
-    return ascend(star, quality, place, rules, same, same,
-                  [](const Point&, const Point&) { return true; });
+    return ascend(
+        star, quality, place, rules, [](const Point& p) { return p; },
+        [&](Point gradient) {
+            keep_on_sides(gradient, Point::Zero(), fixed);
+            return gradient;
+        },
+        [](const Point&, const Point&) { return true; });
 }
 
 Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations) {
@@ -93,9 +100,7 @@ Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations)
     if ((record.flags & vertex_interface) != 0) {
         return Verdict::on_interface;
     }
-    if ((record.flags & vertex_boundary) != 0) {
-        return Verdict::on_boundary;
-    }
+    const std::uint32_t fixed = record.flags & vertex_boundary;
     if ((record.flags & vertex_settled) != 0) {
         return Verdict::no_gain;
     }
@@ -105,7 +110,7 @@ Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations)
     star.gather(complex, work.star);
     Point best = record.position;
     const Real before = star.worst(best);
-    const Real quality = raise_worst(star, before, best, iterations);
+    const Real quality = raise_worst(star, before, best, iterations, fixed);
     if (!(quality > 1.001 * before + 1e-12)) {
         return Verdict::no_gain;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Smoothing: moves a vertex inside a phase to improve the worst tet of its star.
+// Smoothing: moves a vertex inside a phase, or along the sides of the domain on which it is, to
+// improve the worst tet of its star.
 #pragma once
 
 #include "dsc3/operations/workspace.h"
@@ -27,7 +28,9 @@ Verdict smooth_along_interface(Complex& complex, Workspace& work, Vertex vertex,
 // --- for other operations that place a vertex ----------------------------------------------------
 
 /// Moves `place`, the centre of a star, to increase the worst quality, which is `quality` there, as
-/// `smooth` does. Returns the new worst quality. O(degree).
-[[nodiscard]] Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations);
+/// `smooth` does; coordinates in `fixed` (`vertex_fixed_x`, ...) stay. Returns the new worst
+/// quality. O(degree).
+[[nodiscard]] Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations,
+                               std::uint32_t fixed = 0);
 
 } // namespace dsc3

@@ -42,7 +42,10 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
     const auto look_at = [&](std::uint32_t v, std::uint32_t chunk, ThreadScratch& scratch) {
         gather(complex, v, scratch.star);
         gather(complex, scratch.star, scratch.interface_star);
-        const auto& faces = scratch.interface_star.faces;
+        auto& faces = scratch.interface_star.faces;
+        if (complex.is_boundary(Vertex{v})) {
+            std::erase_if(faces, [](const StarFace& face) { return face.tet == border_tet; });
+        }
         const auto is_seen_elsewhere = [&](std::uint32_t x) {
             return v > x && std::binary_search(vertices.begin(), vertices.end(), x);
         };
@@ -173,10 +176,11 @@ void split_long(PassState& state) {
         if (!is_on_interface(complex, at, state.work.ring)) {
             continue;
         }
-        const Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
+        Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
         const Vertex v =
             edge_split(complex, state.work, at, midpoint(complex.at(edge.a), complex.at(edge.b)));
         if (v.is_valid()) {
+            keep_on_sides(place, complex.position(v), complex.vertices[v.id].flags);
             if (!nudge(complex, state.work, v, place, insertion_quality)) {
                 state.late.push_back({v.id, complex.position(v), place});
             }

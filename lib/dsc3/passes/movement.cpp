@@ -158,6 +158,7 @@ private:
         for_each(listed.size(), [&](std::size_t k, std::uint32_t) {
             const std::uint32_t v = listed[k];
             moving_[v].way *= share / static_cast<Real>(moving_[v].changed);
+            keep_on_sides(moving_[v].way, Point::Zero(), complex_.vertices[v].flags);
             enter(v);
         });
         state_.moving_vertices.insert(state_.moving_vertices.end(), listed.begin(), listed.end());
@@ -175,8 +176,19 @@ private:
             return;
         }
         for (std::uint32_t i = 0; i < 4; ++i) {
-            if (moves[i] != 0 ||
-                (complex_.vertices[v[i]].flags & (vertex_interface | vertex_boundary)) != 0) {
+            const std::uint32_t flags = complex_.vertices[v[i]].flags;
+            if (moves[i] != 0 || (flags & vertex_interface) != 0) {
+                continue;
+            }
+            // A vertex on a side follows those that move along this side.
+            const auto leads = [&](std::uint32_t j) {
+                return moves[j] != 0 &&
+                       ((flags & vertex_boundary) == 0 ||
+                        (flags & complex_.vertices[v[j]].flags & vertex_boundary) != 0);
+            };
+            const auto leaders =
+                static_cast<std::uint32_t>(leads(0) + leads(1) + leads(2) + leads(3));
+            if (leaders == 0) {
                 continue;
             }
             // An entry is valid if the list confirms it, so nothing has to be reset.
@@ -186,11 +198,11 @@ private:
                 followers.push_back({Point::Zero(), v[i], 0});
             }
             for (std::uint32_t j = 0; j < 4; ++j) {
-                if (moves[j] != 0) {
+                if (leads(j)) {
                     followers[place].way += moving_[v[j]].way;
                 }
             }
-            followers[place].count += static_cast<std::uint32_t>(count);
+            followers[place].count += leaders;
         }
     }
 

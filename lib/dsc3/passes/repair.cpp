@@ -39,9 +39,9 @@ struct RepairLists {
 
 class Repair {
 public:
-    Repair(Complex& complex, const Options& options, Workspace& work, Real quality, Effort effort)
-        : complex_(complex), options_(options), work_(work), quality_(quality),
-          more_(effort == Effort::more) {}
+    Repair(PassState& state, Workspace& work, Real quality, Effort effort)
+        : complex_(state.complex), options_(state.options), work_(work), quality_(quality),
+          more_(effort == Effort::more), edits_sides_(state.ends_on_sides) {}
 
     void run(const RepairLists& lists) {
         auto& unfit = lists.unfit;
@@ -105,7 +105,9 @@ private:
     bool improve(std::uint32_t t) {
         const TetRecord tet = complex_.tets[t];
         for (const std::uint32_t v : tet.v) {
-            smooth(complex_, work_, Vertex{v}, more_ ? 8 : 5);
+            if (is_free(v)) {
+                smooth(complex_, work_, Vertex{v}, more_ ? 8 : 5);
+            }
         }
         if (quality_of(complex_, t) > quality_) {
             return true;
@@ -119,8 +121,9 @@ private:
             }
         }
         for (const EdgeOfTet& edge : edges) {
-            if (edge_removal(complex_, work_, {t, edge.a, edge.b}, removal_gain) ==
-                Verdict::legal) {
+            if ((edits_sides_ || complex_.fixed_along(edge.a, edge.b) == 0) &&
+                edge_removal(complex_, work_, {t, edge.a, edge.b}, removal_gain) ==
+                    Verdict::legal) {
                 return true;
             }
         }
@@ -136,8 +139,10 @@ private:
         return collapse(edges) || reassign(t, edges) || split(t, edges);
     }
 
-    [[nodiscard]] bool is_inside(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & (vertex_interface | vertex_boundary)) == 0;
+    // Sides on which no interface ends keep their mesh: nothing moves along them.
+    [[nodiscard]] bool is_free(std::uint32_t v) const {
+        const std::uint32_t flags = complex_.vertices[v].flags;
+        return (flags & vertex_interface) == 0 && (edits_sides_ || (flags & vertex_boundary) == 0);
     }
 
     bool collapse(const Edges& edges) {
@@ -149,7 +154,7 @@ private:
             }
             for (const auto& [a, b] :
                  {std::pair(edges[i].a, edges[i].b), std::pair(edges[i].b, edges[i].a)}) {
-                if (is_inside(a) &&
+                if (is_free(a) &&
                     edge_collapse(complex_, work_, Vertex{a}, Vertex{b}, rules) == Verdict::legal) {
                     return true;
                 }
@@ -185,6 +190,7 @@ private:
     Workspace& work_;
     Real quality_;
     bool more_;
+    bool edits_sides_;
 };
 
 } // namespace
@@ -197,14 +203,13 @@ void repair_mesh(PassState& state, Real quality, Effort effort) {
                        ? state.work.rewiring.ownership->owner(complex.tets[t].v, colour)
                        : Submeshes::done;
         };
-        state.submeshes->in_colours(
-            state.unfit, colour_count, &SubmeshWorker::unfit, owner, [&](SubmeshWorker& worker) {
-                Repair(complex, state.options, worker.work, quality, effort).run(worker);
-            });
+        state.submeshes->in_colours(state.unfit, colour_count, &SubmeshWorker::unfit, owner,
+                                    [&](SubmeshWorker& worker) {
+                                        Repair(state, worker.work, quality, effort).run(worker);
+                                    });
         state.collect_from_submeshes();
     }
-    Repair(complex, state.options, state.work, quality, effort)
-        .run({state.unfit, state.unimproved});
+    Repair(state, state.work, quality, effort).run({state.unfit, state.unimproved});
     state.grow();
 }
 

@@ -39,6 +39,11 @@ void PassState::collect_from_submeshes() {
     }
 }
 
+void PassState::note_ends() {
+    ends_on_sides = std::any_of(interface.begin(), interface.end(),
+                                [&](std::uint32_t v) { return complex.is_boundary(Vertex{v}); });
+}
+
 void PassState::update_interface() {
     auto& added = work.rewiring.interface;
     interface.insert(interface.end(), added.begin(), added.end());
@@ -46,6 +51,7 @@ void PassState::update_interface() {
     std::erase_if(interface, [&](std::uint32_t v) { return !complex.is_interface(Vertex{v}); });
     std::sort(interface.begin(), interface.end());
     interface.erase(std::unique(interface.begin(), interface.end()), interface.end());
+    note_ends();
 }
 
 void PassState::find_interface() {
@@ -56,6 +62,7 @@ void PassState::find_interface() {
             interface.push_back(v);
         }
     }
+    note_ends();
 }
 
 void PassState::collect_unfit(Real quality) {

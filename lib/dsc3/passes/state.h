@@ -54,6 +54,7 @@ struct PassState {
     Workspace work = {};
 
     std::vector<std::uint32_t> interface = {}; ///< its vertices, by ascending id
+    bool ends_on_sides = false;                ///< whether one of them is on the domain boundary
     std::vector<std::uint32_t> pending = {};   ///< vertices that have not arrived
     std::vector<Point> targets = {};           ///< by vertex, for pending ones
     std::vector<LateVertex> late = {}; ///< that have not arrived, or have no room where inserted
@@ -93,6 +94,7 @@ struct PassState {
     void update_interface();
     /// Finds the interface from scratch. O(mesh).
     void find_interface();
+    void note_ends();
     /// Adds the tets that were written since the last call, if they are below the quality.
     void collect_unfit(Real quality);
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <utility>
 
 namespace dsc3 {
@@ -17,15 +18,24 @@ bool InterfaceStar::has_edge_to(std::uint32_t vertex) const {
 void gather(const Complex& complex, const Star& star, InterfaceStar& interface_star) {
     interface_star.centre = star.centre;
     interface_star.faces.clear();
+    interface_star.domain_edges.clear();
     for (const Corner corner : star.corners) {
         const std::uint32_t t = tet_of(corner);
         const TetRecord& tet = complex.tets[t];
         const auto& others = face_indices[index_of(corner)];
         for (std::uint32_t j = 0; j < 3; ++j) {
+            const Corner other = tet.n[others[j]];
+            const std::uint32_t x = tet.v[others[(j + 2) % 3]];
+            const std::uint32_t y = tet.v[others[(j + 1) % 3]];
             // The border's phase is the largest.
-            if (complex.phase_at(tet.n[others[j]]) < complex.phases[t]) {
-                interface_star.faces.push_back(
-                    {tet.v[others[(j + 2) % 3]], tet.v[others[(j + 1) % 3]], t});
+            if (complex.phase_at(other) < complex.phases[t]) {
+                interface_star.faces.push_back({x, y, t});
+            } else if (is_border(other)) {
+                interface_star.faces.push_back({y, x, border_tet});
+                // Each edge is x of one face and y of another.
+                if (std::popcount(complex.fixed_along(star.centre, y)) > 1) {
+                    interface_star.domain_edges.push_back(y);
+                }
             }
         }
     }
@@ -127,10 +137,17 @@ Stratum classify(InterfaceStar& interface_star) {
             (is_x ? edge->as_x : edge->as_y) = i;
         }
     }
-    return interface_star.faces.empty() ? Stratum::none
-           : is_sheet(interface_star)   ? Stratum::sheet
-           : is_curve(interface_star)   ? Stratum::curve
-                                        : Stratum::point;
+    for (StarEdge& edge : edges) {
+        edge.is_domain_edge =
+            std::find(interface_star.domain_edges.begin(), interface_star.domain_edges.end(),
+                      edge.vertex) != interface_star.domain_edges.end();
+    }
+    const bool has_curve = std::any_of(edges.begin(), edges.end(),
+                                       [](const StarEdge& edge) { return edge.is_on_curve(); });
+    return interface_star.faces.empty()             ? Stratum::none
+           : !has_curve && is_sheet(interface_star) ? Stratum::sheet
+           : has_curve && is_curve(interface_star)  ? Stratum::curve
+                                                    : Stratum::point;
 }
 
 StrataCounts count_strata(const Complex& complex) {

@@ -15,7 +15,7 @@ namespace dsc3 {
 struct StarFace {
     std::uint32_t x;
     std::uint32_t y;
-    std::uint32_t tet; ///< on the side of the higher phase
+    std::uint32_t tet; ///< on the side of the higher phase; `border_tet` on the domain boundary
 };
 
 /// An edge of the interface at the centre of a star.
@@ -25,15 +25,19 @@ struct StarEdge {
     std::uint32_t as_x;  ///< a face of which the vertex is x, or no_id
     std::uint32_t as_y;  ///< a face of which the vertex is y, or no_id
 
-    /// Whether more than two phases meet at it, or sheets touch.
-    [[nodiscard]] bool is_on_curve() const { return faces != 2; }
+    bool is_domain_edge = false; ///< whether two sides of the domain meet at it
+
+    /// Whether more than two phases meet at it, the interface ends on a side, or sheets touch.
+    [[nodiscard]] bool is_on_curve() const { return faces != 2 || is_domain_edge; }
 };
 
-/// The faces of the interface at a vertex.
+/// The faces of the interface at a vertex; on the domain boundary also those of the sides, as if
+/// the outside were one more phase. The end of the interface on a side is then a curve.
 struct InterfaceStar {
     std::uint32_t centre = no_id;
     std::vector<StarFace> faces;
-    std::vector<StarEdge> edges; ///< filled by `classify`
+    std::vector<std::uint32_t> domain_edges; ///< the other vertices of edges where two sides meet
+    std::vector<StarEdge> edges;             ///< filled by `classify`
 
     [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(faces.size()); }
     /// Whether the interface has the edge from the centre to this vertex. O(size).

@@ -141,8 +141,10 @@ private:
             for (std::uint32_t i = 0; i < 4; ++i) {
                 const Corner other = complex_.tets[t].n[i];
                 if (complex_.phase_at(other) != complex_.phases[t]) {
-                    for (const std::uint32_t v : complex_.face(corner_of(t, i))) {
-                        flags[v] |= is_border(other) ? vertex_boundary : vertex_interface;
+                    const Corner corner = corner_of(t, i);
+                    for (const std::uint32_t v : complex_.face(corner)) {
+                        flags[v] |= is_border(other) ? fixed_at(complex_, corner)
+                                                     : std::uint32_t{vertex_interface};
                     }
                 }
             }

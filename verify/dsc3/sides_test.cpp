@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Interfaces that end on the sides of the domain, and slide there: parts of balls around a point of
+// a side, of an edge, and of a corner.
+#include "dsc3/space_testing.h"
+#include "support/environment.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dsc3::test::sides_test {
+namespace {
+
+constexpr double radius = 0.2;
+const bool is_quick = dsc::test::are_asked_for("few");
+
+// A ball; with two phases, divided by a plane through its centre that is tilted away from the
+// lattice.
+struct Ball {
+    Point centre;
+    int phases = 1;
+
+    [[nodiscard]] Distance plane() const {
+        const Point normal = Point(0.9, 0.3, 0.2).normalized();
+        return [normal, c = centre](const Point& p) { return (p - c).dot(normal); };
+    }
+    [[nodiscard]] Complex complex(double h) const {
+        const std::vector<Shape> shapes{{ball(centre, radius), 1}, {plane(), 1, {{1, 2}}}};
+        return initial_complex({}, std::span(shapes).first(std::size_t(phases)),
+                               {.edge_length = h});
+    }
+    // The largest distance, of vertices on sides, from the sphere or from the plane.
+    [[nodiscard]] double off_on_sides(const Complex& complex, const Point& moved) const {
+        double most = 0;
+        for_each_interface_star(complex, [&](std::uint32_t v, const InterfaceStar&, Stratum s) {
+            if (complex.is_boundary(Vertex{v})) {
+                const Point p = complex.at(v) - moved;
+                const double of_sphere = std::abs((p - centre).norm() - radius);
+                const double of_plane = phases == 1 ? 1 : std::abs(plane()(p));
+                EXPECT_NE(s, Stratum::sheet);
+                most = std::max(most, std::min(of_sphere, of_plane));
+            }
+        });
+        return most;
+    }
+};
+
+const Ball half{{0.3, 0.36, 0}};
+const Ball half_above{{0.3, 0.36, 1}};
+const Ball quarter{{0, 0.25, 0}};
+
+TEST(Sides3, ShapesEndOnThemExactly) {
+    struct Case {
+        Ball ball;
+        double share;         // of the whole ball
+        std::uint32_t points; // where the end crosses an edge of the domain, or two ends meet
+    };
+    for (const auto& [ball, share, points] :
+         {Case{half, 0.5, 0}, Case{half_above, 0.5, 0}, Case{quarter, 0.25, 2},
+          Case{{{1, 1, 1}}, 0.125, 3}, Case{{half.centre, 2}, 0.5, 2},
+          Case{{quarter.centre, 2}, 0.25, 5}}) {
+        const Complex complex = ball.complex(1.0 / 20);
+        const ValidationReport report = validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+        const double whole = 4.0 / 3 * std::numbers::pi * std::pow(radius, 3);
+        const double volume = phase_volume(complex, 1) + phase_volume(complex, 2);
+        EXPECT_NEAR(volume / (share * whole), 1, 0.04);
+        EXPECT_EQ(count_strata(complex).point, points);
+        EXPECT_LT(ball.off_on_sides(complex, Point::Zero()), 1e-12);
+        EXPECT_GT(mesh_quality(complex).min_dihedral, 3);
+    }
+}
+
+TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
+    const double h = is_quick ? 1.0 / 12 : 1.0 / 24;
+    struct Case {
+        Ball ball;
+        Point velocity; // the first component across a side does nothing
+    };
+    for (const auto& [ball, velocity] :
+         {Case{half, {0.4, 0.3, -1}}, Case{{half_above.centre, 2}, {0.4, 0.3, 1}},
+          Case{quarter, {-1, 0.5, 1}}, Case{{quarter.centre, 2}, {0, 0.5, 0}}}) {
+        Complex complex = ball.complex(h);
+        const std::uint32_t points = count_strata(complex).point;
+        Point along = velocity;
+        along[2] = 0;
+        along[0] = ball.centre.x() == 0 ? 0 : along[0];
+        Simulation simulation(complex, {.edge_length = h});
+        const int steps = is_quick ? 5 : 30;
+        std::uint64_t unreached = 0;
+        for (int k = 0; k < steps; ++k) {
+            // Vertices inside move along the sides, too: the ball keeps its shape.
+            unreached += simulation
+                             .step(
+                                 [&](std::span<const Point> p, double, std::span<Point> v) {
+                                     for (std::size_t i = 0; i < p.size(); ++i) {
+                                         const bool on_z = p[i].z() == 0 || p[i].z() == 1;
+                                         const bool on_x = p[i].x() == 0;
+                                         v[i] = along;
+                                         v[i].z() = on_z ? velocity.z() : 0;
+                                         v[i].x() = on_x ? velocity.x() : along.x();
+                                     }
+                                 },
+                                 double(k) / steps, 1.0 / steps)
+                             .unreached;
+            const ValidationReport report = validate(complex);
+            ASSERT_TRUE(report.ok()) << report.problem;
+        }
+        EXPECT_EQ(unreached, 0U);
+        EXPECT_EQ(count_strata(complex).point, points);
+        EXPECT_LT(ball.off_on_sides(complex, along), 1e-12);
+        EXPECT_GT(mesh_quality(complex).min_dihedral, 3);
+    }
+}
+
+TEST(Sides3, TheSameBitsForAnyNumberOfThreads) {
+    const double h = 1.0 / 16;
+    std::uint64_t expected = 0;
+    for (const std::uint32_t threads : {1U, 2U, 3U}) {
+        Complex complex = Ball{half.centre, 2}.complex(h);
+        Simulation simulation(complex, {.edge_length = h}, {.threads = threads, .submeshes = 4});
+        for (int k = 0; k < (is_quick ? 2 : 12); ++k) {
+            simulation.step(swirl, 0, 0.5 * h);
+        }
+        const ValidationReport report = validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+        expected = threads == 1 ? mesh_hash(complex) : expected;
+        EXPECT_EQ(mesh_hash(complex), expected) << threads;
+    }
+}
+
+} // namespace
+} // namespace dsc3::test::sides_test
