@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Interfaces that end on the sides of the domain, and slide there: parts of balls around a point of
-// a side, of an edge, and of a corner.
+// a side, of an edge, and of a corner; foams.
 #include "dsc3/space_testing.h"
 #include "support/environment.h"
+#include "support/random/complex.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace dsc3::test::sides_test {
 namespace {
@@ -113,6 +115,74 @@ TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
         EXPECT_LT(ball.off_on_sides(complex, along), 1e-12);
         EXPECT_GT(mesh_quality(complex).min_dihedral, 3);
     }
+}
+
+// A foam that fills the domain, in a flow along all of its sides that turns back.
+TEST(Sides3, AFoamComesBack) {
+    const double h = is_quick ? 1.0 / 8 : 1.0 / 16;
+    constexpr int count = 6;
+    dsc::test::Random random(2);
+    std::vector<Point> sites;
+    while (sites.size() < count) {
+        const Point site(random.unit(), random.unit(), random.unit());
+        if (std::all_of(sites.begin(), sites.end(),
+                        [&](const Point& other) { return (site - other).norm() > 0.45; })) {
+            sites.push_back(site);
+        }
+    }
+    Complex complex = initial_complex({}, voronoi_cells(sites), {.edge_length = h});
+    // The distance of the faces from the bisectors where they should be, integrated by the vertices
+    // of four parts.
+    const auto difference = [&] {
+        double sum = 0;
+        for (const InterfaceFace& face : interface_faces(complex)) {
+            const Point& one = sites[face.inside];
+            const Point& other = sites[face.outside];
+            const auto off = [&](const Point& p) {
+                return std::abs((p - midpoint(one, other)).dot((one - other).normalized()));
+            };
+            const auto [a, b, c] = face.v;
+            const Point ab = complex.at(b) - complex.at(a);
+            const Point ac = complex.at(c) - complex.at(a);
+            sum += ab.cross(ac).norm() / 2 *
+                   (off(complex.at(a)) + off(complex.at(b)) + off(complex.at(c))) / 3;
+        }
+        return sum;
+    };
+    const std::uint32_t points = count_strata(complex).point; // where curves meet or reach a side
+    EXPECT_GT(points, 15U);
+    ASSERT_LT(difference(), 1e-5);
+    EXPECT_GT(mesh_quality(complex).min_dihedral, 5);
+    Simulation simulation(complex, {.edge_length = h});
+    const double period = 0.5;
+    const int steps = is_quick ? 4 : 16;
+    std::uint64_t unreached = 0;
+    for (int k = 0; k < steps; ++k) {
+        unreached += simulation
+                         .step(
+                             [&](std::span<const Point> p, double t, std::span<Point> v) {
+                                 swirl(p, t, v);
+                                 const double factor = std::cos(std::numbers::pi * t / period);
+                                 for (Point& each : v) {
+                                     each *= factor;
+                                 }
+                             },
+                             period * k / steps, period / steps)
+                         .unreached;
+        const ValidationReport report = validate(complex);
+        ASSERT_TRUE(report.ok()) << report.problem;
+    }
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_EQ(count_strata(complex).point, points);
+    EXPECT_LT(difference(), 2e-4);
+    EXPECT_GT(mesh_quality(complex).min_dihedral, 3);
+}
+
+TEST(Sides3, SitesOfCellsAreFiniteAndDiffer) {
+    const std::vector<Point> twice{{0.2, 0.2, 0.2}, {0.4, 0.2, 0.2}, {0.2, 0.2, 0.2}};
+    EXPECT_THROW((void)voronoi_cells(twice), InputError);
+    const std::vector<Point> infinite{{0.2, 0.2, 0.2}, {0.4, 0.2, INFINITY}};
+    EXPECT_THROW((void)voronoi_cells(infinite), InputError);
 }
 
 TEST(Sides3, TheSameBitsForAnyNumberOfThreads) {

@@ -7,6 +7,7 @@
 #include "dsc3/operations/edge_split.h"
 #include "dsc3/passes/interface_remeshing.h"
 #include "dsc3/passes/repair.h"
+#include "dsc3/passes/worst_tets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -280,6 +281,7 @@ private:
                 }
             }
             repair_mesh(state, start_quality, Effort::more);
+            improve_worst_tets(state);
             nudge_again();
         }
     }

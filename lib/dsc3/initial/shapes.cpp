@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace dsc3 {
 
@@ -39,6 +41,39 @@ Distance torus(const Point& centre, const Point& axis, Real circle_radius, Real 
         const Real radius = (from - height * along).norm();
         return std::hypot(radius - circle_radius, height) - tube_radius;
     };
+}
+
+std::vector<Shape> voronoi_cells(std::span<const Point> sites) {
+    std::vector<Shape> cells;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        const std::vector<Point> before(sites.begin(),
+                                        sites.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto twin = std::find(before.begin(), before.end(), sites[i]);
+        if (!sites[i].allFinite() || twin != before.end()) {
+            throw InputError({.what = "a site of a Voronoi cell is not finite, or given twice",
+                              .where = "voronoi_cells, site " + std::to_string(i),
+                              .value = to_text(sites[i]),
+                              .allowed = "finite points that differ from each other"});
+        }
+        if (i == 0) {
+            continue; // the exterior phase, until others divide it
+        }
+        Shape cell;
+        cell.phase = static_cast<Phase>(i);
+        cell.distance = [before, site = sites[i]](const Point& p) {
+            Real farthest = -std::numeric_limits<Real>::infinity();
+            for (const Point& other : before) { // beyond the bisectors of the two sites
+                const Point middle = midpoint(site, other);
+                farthest = std::max(farthest, (middle - p).dot(unit(site - other)));
+            }
+            return farthest;
+        };
+        for (Phase phase = 0; phase < cell.phase; ++phase) {
+            cell.divides.push_back({phase, cell.phase});
+        }
+        cells.push_back(std::move(cell));
+    }
+    return cells;
 }
 
 } // namespace dsc3

@@ -5,6 +5,7 @@
 #include "dsc3/initial/initial_complex.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ namespace dsc3 {
 /// A torus: a tube around a circle. Throws InputError for an axis of no length.
 [[nodiscard]] Distance torus(const Point& centre, const Point& axis, Real circle_radius,
                              Real tube_radius);
+
+/// Voronoi cells, which fill the domain: what is nearest to site i has phase i. Each cell divides
+/// those before it, so its distance takes O(sites). Throws InputError if a site is not finite or two
+/// are equal.
+[[nodiscard]] std::vector<Shape> voronoi_cells(std::span<const Point> sites);
 
 /// A surface of triangles.
 struct TriangleSurface {

@@ -102,6 +102,9 @@ public:
             result_.volume_first = volume();
             write_frame();
         }
+        if (ends_on_sides()) { // the shape is cut off there, and its exact volume is not known
+            setup_.volume_last = setup_.last ? result_.volume_first : 0;
+        }
         Progress progress(options_.progress, result_.steps, setup_.steps);
         while (result_.steps < setup_.steps && result_.sum.gave_up == dsc3::GiveUp::none) {
             if (is_interrupted()) {
@@ -123,6 +126,11 @@ public:
     }
 
 private:
+    [[nodiscard]] bool ends_on_sides() const {
+        const auto interface = simulation_->interface();
+        return std::any_of(interface.begin(), interface.end(),
+                           [&](std::uint32_t v) { return complex_.is_boundary(dsc3::Vertex{v}); });
+    }
     [[nodiscard]] double volume() const {
         return dsc3::phase_volume(complex_, setup_.shapes.front().phase);
     }
