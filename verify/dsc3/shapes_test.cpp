@@ -86,6 +86,38 @@ TEST(Shapes3, DistancesToASurfaceAreThoseOfItsShape) {
     }
 }
 
+TEST(Shapes3, PartsInPartsAreHollowsHoweverTheyAreOriented) {
+    const std::vector<Box> boxes{{{0.1, 0.1, 0.1}, {0.9, 0.9, 0.9}},
+                                 {{0.2, 0.2, 0.2}, {0.7, 0.8, 0.8}},
+                                 {{0.3, 0.3, 0.3}, {0.6, 0.7, 0.7}},
+                                 {{0.75, 0.2, 0.2}, {0.85, 0.8, 0.8}},
+                                 {{1.2, 0.2, 0.2}, {1.4, 0.4, 0.4}}};
+    for (unsigned turned = 0; turned < 32; ++turned) { // each set of parts inside out
+        TriangleSurface surface;
+        for (unsigned part = 0; part < boxes.size(); ++part) {
+            TriangleSurface one = box_surface(boxes[part].low, boxes[part].high);
+            const auto first = static_cast<std::uint32_t>(surface.points.size());
+            for (auto& [a, b, c] : one.triangles) {
+                if ((turned >> part & 1U) != 0) {
+                    std::swap(a, b);
+                }
+                surface.triangles.push_back({first + a, first + b, first + c});
+            }
+            surface.points.insert(surface.points.end(), one.points.begin(), one.points.end());
+        }
+        SurfaceFigures figures;
+        const Distance distance = closed_surface(surface, &figures);
+        EXPECT_LT(distance({0.15, 0.5, 0.5}), 0);
+        EXPECT_GT(distance({0.25, 0.5, 0.5}), 0);
+        EXPECT_LT(distance({0.5, 0.5, 0.5}), 0);
+        EXPECT_GT(distance({0.8, 0.5, 0.5}), 0);
+        EXPECT_GT(distance({1.1, 0.5, 0.5}), 0);
+        EXPECT_LT(distance({1.3, 0.3, 0.3}), 0);
+        EXPECT_NEAR(figures.volume, 0.512 - 0.18 + 0.048 - 0.036 + 0.008, 1e-15);
+        EXPECT_EQ(figures.euler_characteristic, 10);
+    }
+}
+
 TEST(Shapes3, SurfacesThatEncloseNothingAreRefusedWithThePlace) {
     const auto refusal = [](const TriangleSurface& surface) {
         return refusal_of([&] { return closed_surface(surface); });

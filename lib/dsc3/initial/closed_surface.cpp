@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -67,6 +68,22 @@ public:
                           }
                       });
         return side < 0 ? -std::sqrt(best) : std::sqrt(best);
+    }
+
+    [[nodiscard]] SurfaceFigures figures() const {
+        SurfaceFigures sum;
+        std::vector<std::uint8_t> is_used(surface_.points.size(), 0);
+        for (const auto& [a, b, c] : surface_.triangles) {
+            is_used[a] = is_used[b] = is_used[c] = 1;
+        }
+        const auto vertices = std::count(is_used.begin(), is_used.end(), 1);
+        // Half as many edges again as triangles.
+        sum.euler_characteristic =
+            vertices - static_cast<std::int64_t>(surface_.triangles.size() / 2);
+        for (std::uint32_t part = 0; part + 1 < firsts_.size(); ++part) {
+            sum.volume += volume_of(part);
+        }
+        return sum;
     }
 
 private:
@@ -133,19 +150,36 @@ private:
     }
 
     // Orients each part like its first triangle, and then so that it encloses a positive volume.
+    // Orients each part outwards, or inwards if it lies inside an odd number of the others, so that
+    // parts in parts are hollows.
     void orient() {
+        find_parts();
+        for (std::uint32_t part = 0; part + 1 < firsts_.size(); ++part) {
+            const Real enclosed = volume_of(part);
+            if (enclosed == 0) {
+                refuse(surface_, "the surface encloses nothing", to_text(point_of(part)),
+                       "a volume of 0", "a volume above 0");
+            }
+            if ((enclosed < 0) != is_hollow(part)) {
+                for (std::uint32_t k = firsts_[part]; k < firsts_[part + 1]; ++k) {
+                    turn_over(order_[k]);
+                }
+            }
+        }
+    }
+    // Lists the triangles part by part, and orients those of a part alike.
+    void find_parts() {
         auto& triangles = surface_.triangles;
         std::vector<std::uint8_t> is_done(triangles.size(), 0);
-        std::vector<std::uint32_t> queue;
         for (std::uint32_t first = 0; first < triangles.size(); ++first) {
             if (is_done[first] != 0) {
                 continue;
             }
             is_done[first] = 1;
-            queue.assign(1, first);
-            while (!queue.empty()) {
-                const std::uint32_t t = queue.back();
-                queue.pop_back();
+            firsts_.push_back(static_cast<std::uint32_t>(order_.size()));
+            order_.push_back(first);
+            for (std::size_t at = firsts_.back(); at < order_.size(); ++at) {
+                const std::uint32_t t = order_[at];
                 for (std::uint32_t k = 0; k < 3; ++k) {
                     const std::uint32_t other = beside_[t][k];
                     const std::uint32_t a = triangles[t][k];
@@ -160,25 +194,45 @@ private:
                     }
                     if (is_done[other] == 0) {
                         is_done[other] = 1;
-                        queue.push_back(other);
+                        order_.push_back(other);
                     }
                 }
             }
         }
+        firsts_.push_back(static_cast<std::uint32_t>(order_.size()));
+    }
+    [[nodiscard]] const Point& point_of(std::uint32_t part) const {
+        return surface_.points[surface_.triangles[order_[firsts_[part]]][0]];
+    }
+    [[nodiscard]] Real volume_of(std::uint32_t part) const {
         Real sum = 0;
-        for (const auto& [a, b, c] : triangles) {
-            sum += volume(surface_.points.front(), surface_.points[a], surface_.points[b],
-                          surface_.points[c]);
+        for (std::uint32_t k = firsts_[part]; k < firsts_[part + 1]; ++k) {
+            const auto& [a, b, c] = surface_.triangles[order_[k]];
+            sum +=
+                volume(point_of(part), surface_.points[a], surface_.points[b], surface_.points[c]);
         }
-        if (sum == 0) {
-            refuse(surface_, "the surface encloses nothing", to_text(surface_.points.front()),
-                   "a volume of 0", "a volume above 0");
-        }
-        if (sum < 0) {
-            for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-                turn_over(t);
+        return sum;
+    }
+    // Whether a part lies inside an odd number of the others: its point sees those around it under
+    // the solid angle 4 pi. (A. van Oosterom and J. Strackee, "The solid angle of a plane
+    // triangle", 1983.)
+    [[nodiscard]] bool is_hollow(std::uint32_t part) const {
+        const Point& p = point_of(part);
+        bool is_odd = false;
+        for (std::uint32_t other = 0; other + 1 < firsts_.size(); ++other) {
+            Real half_angle = 0;
+            for (std::uint32_t k = firsts_[other]; other != part && k < firsts_[other + 1]; ++k) {
+                const auto& v = surface_.triangles[order_[k]];
+                const Point a = surface_.points[v[0]] - p;
+                const Point b = surface_.points[v[1]] - p;
+                const Point c = surface_.points[v[2]] - p;
+                half_angle += std::atan2(a.dot(b.cross(c)),
+                                         a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                             b.dot(c) * a.norm() + c.dot(a) * b.norm());
             }
+            is_odd = is_odd != (std::abs(half_angle) > std::numbers::pi);
         }
+        return is_odd;
     }
     [[nodiscard]] bool runs_along(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
         const Triangle3& v = surface_.triangles[t];
@@ -298,6 +352,8 @@ private:
 
     TriangleSurface surface_;
     std::vector<std::array<std::uint32_t, 3>> beside_; ///< by triangle and corner
+    std::vector<std::uint32_t> order_;                 ///< triangles, part by part
+    std::vector<std::uint32_t> firsts_;                ///< of each part in `order_`, and the end
     std::unique_ptr<BoxTree> tree_;
     std::vector<Point> face_normals_;
     std::vector<Point> vertex_normals_; ///< of any length
@@ -305,8 +361,11 @@ private:
 
 } // namespace
 
-Distance closed_surface(TriangleSurface surface) {
+Distance closed_surface(TriangleSurface surface, SurfaceFigures* figures) {
     const auto shared = std::make_shared<const SignedDistance>(std::move(surface));
+    if (figures != nullptr) {
+        *figures = shared->figures();
+    }
     return [shared](const Point& p) { return (*shared)(p); };
 }
 

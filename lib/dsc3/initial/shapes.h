@@ -5,6 +5,7 @@
 #include "dsc3/initial/initial_complex.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,8 +25,8 @@ namespace dsc3 {
                              Real tube_radius);
 
 /// Voronoi cells, which fill the domain: what is nearest to site i has phase i. Each cell divides
-/// those before it, so its distance takes O(sites). Throws InputError if a site is not finite or two
-/// are equal.
+/// those before it, so its distance takes O(sites). Throws InputError if a site is not finite or
+/// two are equal.
 [[nodiscard]] std::vector<Shape> voronoi_cells(std::span<const Point> sites);
 
 /// A surface of triangles.
@@ -35,13 +36,21 @@ struct TriangleSurface {
     std::string name = "surface";                        ///< used in error messages
 };
 
-/// The signed distance to a closed surface, which may have several parts. Triangles may be oriented
-/// either way, but each part must be orientable. A query is O(log n) on average. (J. A. Baerentzen
-/// and H. Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005.)
+/// What a closed surface encloses, to compare with a first complex: in that, parts thinner than two
+/// edge lengths or so are lost, break, or merge.
+struct SurfaceFigures {
+    Real volume = 0;                       ///< without hollows
+    std::int64_t euler_characteristic = 0; ///< of the surface: 2 for each ball, 0 for a torus
+};
+
+/// The signed distance to a closed surface, which may have several parts; a part inside an odd
+/// number of others is a hollow. Triangles may be oriented either way, but each part must be
+/// orientable. A query is O(log n) on average. (J. A. Baerentzen and H. Aanaes, "Signed distance
+/// computation using the angle weighted pseudonormal", 2005.)
 ///
 /// \throw InputError, with the place, if an edge does not have two triangles, two triangles cross
-/// each other, a coordinate is not finite, a part cannot be oriented, or no volume is enclosed. O(n
-/// log n).
-[[nodiscard]] Distance closed_surface(TriangleSurface surface);
+/// each other, a coordinate is not finite, a part cannot be oriented, or no volume is enclosed.
+/// O(n log n), and O(n) more for each part.
+[[nodiscard]] Distance closed_surface(TriangleSurface surface, SurfaceFigures* figures = nullptr);
 
 } // namespace dsc3

@@ -87,6 +87,7 @@ public:
           simulation_(make_simulation(complex_, options_of(parameters), options.parallel)),
           hash_first_(dsc3::mesh_hash(complex_)) {
         result_.scene = scene.name;
+        result_.euler_exact_first = setup_.euler_first;
         result_.parameters = parameters;
         result_.keys = scene.keys;
         result_.parallel = options.parallel;
@@ -100,6 +101,9 @@ public:
         } else {
             result_.tets_first = complex_.tet_count();
             result_.volume_first = volume();
+            if (setup_.euler_first) {
+                result_.euler_first = euler_characteristic();
+            }
             write_frame();
         }
         if (ends_on_sides()) { // the shape is cut off there, and its exact volume is not known
@@ -130,6 +134,11 @@ private:
         const auto interface = simulation_->interface();
         return std::any_of(interface.begin(), interface.end(),
                            [&](std::uint32_t v) { return complex_.is_boundary(dsc3::Vertex{v}); });
+    }
+    // Of an interface between two phases, each edge of which has two faces.
+    [[nodiscard]] std::int64_t euler_characteristic() const {
+        return static_cast<std::int64_t>(simulation_->interface().size()) -
+               static_cast<std::int64_t>(dsc3::interface_faces(complex_).size() / 2);
     }
     [[nodiscard]] double volume() const {
         return dsc3::phase_volume(complex_, setup_.shapes.front().phase);
@@ -187,8 +196,8 @@ private:
         archive.expect(hash_first == hash_first_,
                        "began with another mesh: a file of the scene or the program has changed");
         RunResult& r = result_;
-        archive(r.steps, r.tets_first, r.interface_vertices_max, r.volume_first, r.sd_rel_half,
-                r.inverted, r.tet_steps, r.step_us, r.cpu_s, r.wall_s);
+        archive(r.steps, r.tets_first, r.interface_vertices_max, r.volume_first, r.euler_first,
+                r.sd_rel_half, r.inverted, r.tet_steps, r.step_us, r.cpu_s, r.wall_s);
         archive.expect(r.steps >= 0 && r.steps <= setup_.steps, "has more steps than this run");
         archive_report(archive, r.sum);
         archive_quality(archive, r.quality_last);
@@ -238,7 +247,8 @@ private:
     RunResult result_;
 };
 
-nlohmann::ordered_json number_or_null(const std::optional<double>& value) {
+template <class Number>
+nlohmann::ordered_json number_or_null(const std::optional<Number>& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
@@ -287,6 +297,8 @@ std::string to_json(const RunResult& r) {
         {"interface_vertices_last", r.interface_vertices_last},
         {"interface_vertices_max", r.interface_vertices_max},
         {"volume_first", r.volume_first},
+        {"euler_characteristic_first", number_or_null(r.euler_first)},
+        {"euler_characteristic_exact_first", number_or_null(r.euler_exact_first)},
         {"volume_last", r.volume_last},
         {"volume_exact_last", r.volume_exact_last},
         {"volume_ratio", r.volume_last / r.volume_first},
@@ -352,6 +364,11 @@ void print_summary(const RunResult& r) {
         std::cout << ", symmetric difference " << *r.sd_rel_last
                   << " of the volume, vertices off by " << *r.vertex_error_rms / h << " h (rms), "
                   << *r.vertex_error_max / h << " h (most)";
+    }
+    if (r.euler_first != r.euler_exact_first) {
+        std::cout << "\n  the first mesh does not resolve the surface in the file: Euler number "
+                  << *r.euler_first << ", not " << *r.euler_exact_first
+                  << "; a smaller h does (several edges across its thinnest part)";
     }
     std::cout << "\n  smallest dihedral angle " << r.quality_last.min_dihedral << " degrees (ever "
               << r.quality_ever.min_dihedral << ")\n  inverted " << r.inverted << ", unreached "

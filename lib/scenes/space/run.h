@@ -28,6 +28,8 @@ struct RunResult {
     std::uint32_t interface_vertices_last = 0;
     std::uint32_t interface_vertices_max = 0;
     double volume_first = 0;
+    std::optional<std::int64_t> euler_first{};       ///< Euler number of the first interface
+    std::optional<std::int64_t> euler_exact_first{}; ///< of the surface in the scene's file
     double volume_last = 0;
     double volume_exact_last = 0;
     std::optional<double>

@@ -6,6 +6,7 @@
 #include "dsc3/initial/initial_complex.h"
 #include "scenes/parameters.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct Setup {
     std::optional<int> half_step{}; ///< step at which a flow that conserves volume turns back
     dsc3::Distance last{};          ///< the exact shape at the end; empty: unknown
     double volume_last = 0;         ///< volume of the exact shape at the end
+    std::optional<std::int64_t> euler_first{}; ///< Euler number of the surface in a file
 };
 
 struct Scene {

@@ -37,18 +37,8 @@ dsc3::Box domain_of(const TableReader& reader) {
 struct KnownShape {
     dsc3::Shape shape;
     double volume = 0;
+    std::optional<std::int64_t> euler_characteristic{}; ///< of a surface from a file
 };
-
-#ifdef DSC_SURFACE_FILES
-double volume_of(const dsc3::TriangleSurface& surface) {
-    double sum = 0;
-    for (const auto& [a, b, c] : surface.triangles) {
-        sum += dsc3::volume(surface.points.front(), surface.points[a], surface.points[b],
-                            surface.points[c]);
-    }
-    return std::abs(sum);
-}
-#endif
 
 void add_file(const TableReader& reader, [[maybe_unused]] KnownShape& known) {
 #ifdef DSC_SURFACE_FILES
@@ -59,8 +49,10 @@ void add_file(const TableReader& reader, [[maybe_unused]] KnownShape& known) {
     for (dsc3::Point& p : surface.points) {
         p = scale * p + move;
     }
-    known.volume = volume_of(surface);
-    known.shape.distance = dsc3::closed_surface(std::move(surface));
+    dsc3::SurfaceFigures figures;
+    known.shape.distance = dsc3::closed_surface(std::move(surface), &figures);
+    known.volume = figures.volume;
+    known.euler_characteristic = figures.euler_characteristic;
 #else
     reader.refuse("file", "this program was built without Assimp and cannot read surfaces",
                   "another shape; or install libassimp-dev and build again");
@@ -206,6 +198,8 @@ Setup prepare(const Parts& parts, const Parameters& p) {
         for (const KnownShape& known : parts.shapes) {
             setup.shapes.push_back(known.shape);
         }
+        setup.euler_first =
+            parts.shapes.size() == 1 ? parts.shapes.front().euler_characteristic : std::nullopt;
     }
     if (parts.flow || !parts.shapes.empty()) {
         setup.last = {};
