@@ -31,7 +31,7 @@ Real ascend(StarQuality& star, Real quality, Point& parameters, const AscentRule
     for (int iteration = 0; iteration < rules.iterations && quality < rules.enough; ++iteration) {
         const Point way = slope(star.gradient(star.worst_tet(star.size()), best));
         const Real length = way.norm();
-        if (!(length > 1e-30)) {
+        if (!(length > 0)) {
             break;
         }
         bool is_better = false;
