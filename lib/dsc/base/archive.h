@@ -132,9 +132,11 @@ void archive(Archive& archive, Handle<Tag>& handle) {
     archive(handle.id);
 }
 
-template <class Real>
-void archive(Archive& archive, Eigen::Matrix<Real, 2, 1>& point) {
-    archive(point.x(), point.y());
+template <class Real, int N>
+void archive(Archive& archive, Eigen::Matrix<Real, N, 1>& point) {
+    for (Real& coordinate : point) {
+        archive(coordinate);
+    }
 }
 
 void archive(Archive& archive, std::string& text);

@@ -76,7 +76,8 @@ private:
                                    : std::is_signed_v<Number>       ? "Int"
                                                                     : "UInt";
         return std::string("<DataArray type=\"") + family + std::to_string(8 * sizeof(Number)) +
-               "\" Name=\"" + name + "\" NumberOfComponents=\"" + std::to_string(components) +
+               "\" Name=\"" + name +
+               (components > 1 ? "\" NumberOfComponents=\"" + std::to_string(components) : "") +
                "\" format=\"appended\" offset=\"" + std::to_string(offset) + "\"/>\n";
     }
 
