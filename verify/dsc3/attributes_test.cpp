@@ -157,9 +157,29 @@ TEST(Attributes3, WhatOneThrowsComesOutOfTheStep) {
     EXPECT_TRUE(validate(complex).ok());
 }
 
+TEST(Simulation3, TellsHowFarAStepCameThatAVelocityEnded) {
+    Complex complex = ball_complex();
+    Simulation simulation(complex, {.edge_length = h});
+    const Velocity velocity = [](auto positions, double time, auto velocities) {
+        if (time > 0.5) {
+            throw std::runtime_error("enough");
+        }
+        swirl(positions, time, velocities);
+    };
+    EXPECT_THROW(simulation.step(velocity, 0, 1), std::runtime_error);
+    const StepReport& report = simulation.report();
+    EXPECT_GT(report.sub_steps, 0U);
+    EXPECT_GT(report.reached, 0);
+    EXPECT_LE(report.reached, 0.5);
+    // From there a step goes on.
+    EXPECT_EQ(simulation.step(swirl, report.reached, 0.1).unreached, 0U);
+    EXPECT_TRUE(validate(complex).ok());
+}
+
 TEST(Checkpoints3, GoOnToTheSameBits) {
     Complex one = ball_complex();
     one.attributes.add<Vertex>("number", 1.5);
+    one.attributes.add<Vertex>("origin", Point(1, 2, 3));
     one.attributes.add<Tet>("tag", std::uint32_t{7});
     Simulation first(one, {.edge_length = h});
     for (int k = 0; k < 5; ++k) {
@@ -170,6 +190,7 @@ TEST(Checkpoints3, GoOnToTheSameBits) {
 
     Complex two = ball_complex();
     auto& number = two.attributes.add<Vertex>("number", 1.5);
+    two.attributes.add<Vertex>("origin", Point(4, 5, 6));
     two.attributes.add<Tet>("tag", std::uint32_t{7});
     Simulation second(two, {.edge_length = h});
     second.step(swirl, 0, 0.1); // the archive replaces the whole state

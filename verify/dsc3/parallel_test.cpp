@@ -9,6 +9,7 @@
 #include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace dsc3::test::parallel_test {
@@ -64,6 +65,26 @@ TEST(Parallel3, TheSameBitsForAnyNumberOfThreads) {
     // Most of the repair is shared, else this would prove nothing.
     EXPECT_GT(sum.treated_together, 0.5 * double(sum.treated));
     EXPECT_GT(sum.operations.interface_splits, 20U);
+}
+
+TEST(Parallel3, AVelocityAtOnceIsCalledForTheWholeInterfaceByThisThread) {
+    Tracked plain({.threads = 2});
+    Tracked at_once({.threads = 2});
+    const auto here = std::this_thread::get_id();
+    std::size_t calls = 0;
+    const VelocityAtOnce velocity{[&](auto positions, double time, auto velocities) {
+        ++calls;
+        EXPECT_EQ(std::this_thread::get_id(), here);
+        EXPECT_EQ(positions.size(), at_once.simulation.interface().size());
+        swirl(positions, time, velocities);
+    }};
+    for (int k = 0; k < 2; ++k) {
+        calls = 0;
+        EXPECT_EQ(plain.step(k).unreached, 0U);
+        const StepReport report = at_once.simulation.step(velocity, k * dt, dt);
+        EXPECT_EQ(calls, 4U * report.sub_steps);
+        EXPECT_EQ(at_once.bytes(), plain.bytes());
+    }
 }
 
 // Another division gives another mesh, which is as good.

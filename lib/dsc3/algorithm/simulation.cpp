@@ -62,7 +62,7 @@ Simulation::Simulation(Complex& complex, const Options& options, const Parallel*
     state_.find_interface();
 }
 
-StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
+StepReport Simulation::advance(const Velocity& velocity, bool in_chunks, Real time, Real dt) {
     if (!(dt >= 0) || !std::isfinite(dt) || !std::isfinite(time)) {
         throw InputError({.what = "cannot step: bad time or dt",
                           .where = "Simulation::step",
@@ -84,34 +84,41 @@ StepReport Simulation::step(const Velocity& velocity, Real time, Real dt) {
         state_.update_interface();
         submeshes_->divide(state_.interface);
     }
-    StepReport report;
+    in_chunks_ = in_chunks;
     state_.work.counts = {};
     state_.work.treated = 0;
     state_.work.treated_together = 0;
     state_.unjammed = 0;
+    report_ = {};
+    note(time);
     Real remaining = dt;
     while (remaining > 0) {
         remesh_interface(state_);
         repair_mesh(state_, options_.quality, Effort::usual);
         find_origins();
-        const Real part = find_targets(velocity, time + dt - remaining, remaining, report);
+        const Real part = find_targets(velocity, time + dt - remaining, remaining);
         if (part == 0) {
-            report.gave_up = GiveUp::too_many_sub_steps;
+            report_.gave_up = GiveUp::too_many_sub_steps;
             break;
         }
-        move(report);
-        complex_.attributes.failure.rethrow();
+        move();
         remaining = part < remaining ? remaining - part : 0;
+        note(time + (dt - remaining));
+        complex_.attributes.failure.rethrow();
     }
     state_.update_interface();
-    report.operations = state_.work.counts;
-    report.unjammed = state_.unjammed;
-    report.treated = state_.work.treated;
-    report.treated_together = state_.work.treated_together;
-    report.interface_vertices = static_cast<std::uint32_t>(state_.interface.size());
-    report.reached = time + (dt - remaining);
+    note(report_.reached);
     version_ = complex_.version;
-    return report;
+    return report_;
+}
+
+void Simulation::note(Real reached) {
+    report_.operations = state_.work.counts;
+    report_.unjammed = state_.unjammed;
+    report_.treated = state_.work.treated;
+    report_.treated_together = state_.work.treated_together;
+    report_.interface_vertices = static_cast<std::uint32_t>(state_.interface.size());
+    report_.reached = reached;
 }
 
 // The positions from which the flow moves the vertices: their own, or those where they should be.
@@ -140,12 +147,12 @@ void Simulation::find_origins() {
     }
 }
 
-// Calls `work(share, begin, end)` for shares of the vertices, which are all of them if the
-// simulation is sequential.
+// Calls `work(share, begin, end)` for shares of the vertices: all of them if the simulation is
+// sequential, or the velocity is called once.
 template <class Work>
 void Simulation::in_shares(std::size_t n, Work work) {
     largest_.fill(0);
-    if (submeshes_ == nullptr) {
+    if (!in_chunks_) {
         work(0, 0, n);
         return;
     }
@@ -156,8 +163,7 @@ void Simulation::in_shares(std::size_t n, Work work) {
                  });
 }
 
-Real Simulation::find_targets(const Velocity& velocity, Real time, Real remaining,
-                              StepReport& report) {
+Real Simulation::find_targets(const Velocity& velocity, Real time, Real remaining) {
     const std::size_t n = origins_.size();
     targets_.resize(n);
     held_.assign(n, 0);
@@ -185,7 +191,7 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
     });
     const Real fastest = *std::max_element(largest_.begin(), largest_.end());
     const Real limit = options_.sub_step * options_.edge_length;
-    const Real room = static_cast<Real>(options_.max_sub_steps) - report.sub_steps;
+    const Real room = static_cast<Real>(options_.max_sub_steps) - report_.sub_steps;
     Real pieces = std::max(std::ceil(remaining * fastest / limit - 1e-9), 1.0);
     for (; pieces <= room; pieces *= 2) {
         const Real part = remaining / pieces;
@@ -204,7 +210,7 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
         const bool is_exact = options_.integrator != Integrator::adaptive ||
                               error <= options_.tolerance * options_.edge_length;
         if (farthest <= sub_step_slack * limit && is_exact) {
-            report.error = std::max(report.error, static_cast<double>(error));
+            report_.error = std::max(report_.error, static_cast<double>(error));
             return part;
         }
     }
@@ -242,7 +248,7 @@ void Simulation::transfer(dsc::Archive& archive) {
     state_.find_interface();
 }
 
-void Simulation::move(StepReport& report) {
+void Simulation::move() {
     std::uint64_t held = 0;
     for (std::size_t i = 0; i < origins_.size(); ++i) {
         if (held_[i] != 0 || !targets_[i].allFinite()) {
@@ -252,11 +258,11 @@ void Simulation::move(StepReport& report) {
         state_.targets[state_.interface[i]] = targets_[i];
     }
     state_.pending = state_.interface;
-    report.held += held;
-    report.moves += state_.pending.size();
-    ++report.sub_steps;
-    report.passes += arrive(state_);
-    report.unreached += state_.pending.size() + held;
+    report_.held += held;
+    report_.moves += state_.pending.size();
+    ++report_.sub_steps;
+    report_.passes += arrive(state_);
+    report_.unreached += state_.pending.size() + held;
     state_.late.clear();
     for (const std::uint32_t v : state_.pending) {
         state_.late.push_back({v, complex_.at(v), state_.targets[v]});

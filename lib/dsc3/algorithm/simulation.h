@@ -51,7 +51,17 @@ public:
 
     /// Moves the interface from `time` to `time + dt`. O(interface vertices and changed tets).
     /// Throws InputError if dt is negative or not finite, or an attribute is a field.
-    StepReport step(const Velocity& velocity, Real time, Real dt);
+    StepReport step(const Velocity& velocity, Real time, Real dt) {
+        return advance(velocity, submeshes_ != nullptr, time, dt);
+    }
+    /// The same with a velocity that is called once for the whole interface.
+    StepReport step(const VelocityAtOnce& at_once, Real time, Real dt) {
+        return advance(at_once.velocity, false, time, dt);
+    }
+
+    /// The report of the last step. If an exception of the velocity ended it, the complex is valid,
+    /// and this is the report of the sub-steps before: `reached` is the time of the complex.
+    [[nodiscard]] const StepReport& report() const { return report_; }
 
     /// Writes the whole state, the complex included, or reads it back into a simulation with the
     /// same options and submeshes, on any number of threads; the following steps are then bitwise
@@ -65,12 +75,14 @@ public:
 private:
     Simulation(Complex& complex, const Options& options, const Parallel* parallel);
 
+    StepReport advance(const Velocity& velocity, bool in_chunks, Real time, Real dt);
     template <class Work>
     void in_shares(std::size_t n, Work work);
     void find_origins();
     /// Returns the duration of the sub-step; 0 if more sub-steps than allowed would be needed.
-    Real find_targets(const Velocity& velocity, Real time, Real remaining, StepReport& report);
-    void move(StepReport& report);
+    Real find_targets(const Velocity& velocity, Real time, Real remaining);
+    void move();
+    void note(Real reached);
     void transfer(dsc::Archive& archive);
 
     Complex& complex_;
@@ -79,7 +91,9 @@ private:
     Team team_;
     std::unique_ptr<Submeshes> submeshes_; ///< none: sequential
     PassState state_;
-    std::uint64_t version_; ///< of the complex at the end of the last step
+    std::uint64_t version_;  ///< of the complex at the end of the last step
+    bool in_chunks_ = false; ///< whether the velocity may be called for some of the vertices
+    StepReport report_;
     std::vector<Point> origins_;
     std::vector<Point> targets_;
     std::vector<std::uint32_t>

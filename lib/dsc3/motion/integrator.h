@@ -16,6 +16,13 @@ namespace dsc3 {
 using Velocity =
     std::function<void(std::span<const Point> positions, Real time, std::span<Point> velocities)>;
 
+/// A velocity that is called once in each stage of the integrator, with all interface vertices, by
+/// the thread that calls `Simulation::step`: for a function that is expensive to call, such as one
+/// written in Python. The result is bitwise identical to that of the plain velocity.
+struct VelocityAtOnce {
+    Velocity velocity; ///< of positions and time
+};
+
 using dsc::Integrator;
 
 /// Scratch arrays of an integrator, reused to avoid allocation.
