@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Conversions between numpy arrays and lists of numbers and points. Arrays are C-contiguous; points
-// have the shape (n, 2), and functions of the module accept and return them as `Points`.
-// dsc/arrays.py checks the arguments of users before. All functions here need the GIL.
+// have the shape (n, 2) or (n, 3), and functions of the module accept and return them as `Points`
+// or `Points3`. dsc/arrays.py checks the arguments of users before. All functions here need the
+// GIL.
 #pragma once
 
 #include "dsc/dsc.h"
+#include "dsc3/dsc3.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -22,8 +24,13 @@ namespace dsc::python {
 namespace py = pybind11;
 using namespace py::literals; // NOLINT: "name"_a
 
-using Points = std::vector<Point<double>>;
+/// Points of the plane, or of space.
+template <int N>
+using PointList = std::vector<Eigen::Matrix<double, N, 1>>;
+using Points = PointList<2>;
+using Points3 = PointList<3>;
 static_assert(sizeof(Point<double>) == 2 * sizeof(double));
+static_assert(sizeof(dsc3::Point) == 3 * sizeof(double));
 
 /// Any object that numpy can cast to an array of these numbers.
 template <class Number>
@@ -55,6 +62,12 @@ template <class List>
     return array_over(list, std::identity());
 }
 
+/// The array, which can only be read from now on.
+[[nodiscard]] inline py::array frozen(py::array array) {
+    array.attr("flags").attr("writeable") = false;
+    return array;
+}
+
 /// A Python function that C++ can copy and release without the GIL.
 using SharedFunction = std::shared_ptr<py::function>;
 [[nodiscard]] inline SharedFunction share(const py::function& function) {
@@ -67,20 +80,21 @@ using SharedFunction = std::shared_ptr<py::function>;
 } // namespace dsc::python
 
 /// How pybind11 converts points.
-template <>
-struct pybind11::detail::type_caster<dsc::python::Points> {
-    PYBIND11_TYPE_CASTER(dsc::python::Points, const_name("points (n, 2)"));
+template <int N>
+struct pybind11::detail::type_caster<std::vector<Eigen::Matrix<double, N, 1>>> {
+    using List = dsc::python::PointList<N>;
+    PYBIND11_TYPE_CASTER(List, const_name<N == 2>("points (n, 2)", "points (n, 3)"));
 
     bool load(handle source, bool /*convert*/) {
         const auto rows = dsc::python::ArrayLike<double>::ensure(source);
-        if (!rows || rows.ndim() != 2 || rows.shape(1) != 2) {
+        if (!rows || rows.ndim() != 2 || rows.shape(1) != N) {
             return false;
         }
         value.resize(static_cast<std::size_t>(rows.shape(0)));
         std::memcpy(static_cast<void*>(value.data()), rows.data(), value.size() * sizeof(value[0]));
         return true;
     }
-    static handle cast(const dsc::python::Points& points, return_value_policy, handle /*parent*/) {
+    static handle cast(const List& points, return_value_policy, handle /*parent*/) {
         return dsc::python::array_of(points).release();
     }
 };

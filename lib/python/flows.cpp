@@ -14,23 +14,6 @@ namespace dsc::python {
 
 namespace {
 
-// Copies the result of a Python function. Throws InputError unless it is array-like of the shape
-// (n, 2).
-void read(const py::object& returned, const char* where, std::span<Point<double>> velocities) {
-    const py::object rows =
-        py::module_::import("dsc.arrays").attr("points")(returned, where, velocities.size());
-    std::ranges::copy(rows.cast<Points>(), velocities.begin());
-}
-
-// Calls `function(x, t)`. `Simulation::step` passes on its exceptions.
-VelocityAtOnce<double> velocity_of(const py::function& function) {
-    return {[shared = share(function)](std::span<const Point<double>> positions, double time,
-                                       std::span<Point<double>> velocities) {
-        const py::gil_scoped_acquire gil;
-        read((*shared)(array_of(positions), time), "what the velocity returns", velocities);
-    }};
-}
-
 // --- flows that depend on the interface--------------------------------------------------------
 
 // Indices, with -1 for none: for the neighbours of a junction, and the outside of the domain.
@@ -94,7 +77,7 @@ InterfaceMotion<double> motion_of(const SharedFunction& function, Integrator int
             InterfaceView<double> stage = view;
             stage.positions = seen;
             const py::gil_scoped_acquire gil;
-            read((*function)(interface_of(stage), t), "what the flow returns", velocities);
+            read<2>((*function)(interface_of(stage), t), "what the flow returns", velocities);
             for (std::size_t i = 0; i < seen.size(); ++i) {
                 if ((view.flags[i] & interface_locked) != 0) {
                     velocities[i].setZero();
@@ -153,7 +136,9 @@ AnyFlow curvature_flow_of(double tension, double mobility,
 
 void add_flows(py::module_& module) {
     const py::class_<AnyFlow> type(module, "Flow");
-    module.def("velocity", [](const py::function& f) { return along(velocity_of(f)); });
+    module.def("velocity", [](const py::function& f) {
+        return along(VelocityAtOnce<double>{velocity_of<2>(f)});
+    });
     module.def("interface_flow", &interface_flow_of);
     module.def("swirl", [](double amplitude, double period) {
         return along(Velocity<double>(scenes::Swirl{amplitude, period}));

@@ -3,9 +3,6 @@
 
 #include "python/module.h"
 #include "python/options.h"
-#include "replay/mesh_hash.h"
-
-#include <pybind11/stl/filesystem.h>
 
 #include <array>
 #include <cstdint>
@@ -112,55 +109,11 @@ MadeMesh from_labels(const Points& domain, const WholeNumbers& labels, std::size
     return mesh;
 }
 
-// --- meshes as bytes, without data, which dsc/mesh.py adds ---------------------------------------
-
-py::bytes bytes_of(const Mesh& mesh) {
-    Complex<double> copy(mesh.complex());
-    while (!copy.attributes.empty()) {
-        copy.attributes.remove(std::string(copy.attributes.list().back()->name()));
-    }
-    Archive archive;
-    archive(copy);
-    return archive.bytes();
-}
-
-MadeMesh from_bytes(const py::bytes& bytes) {
-    Archive archive(bytes, "mesh");
-    Complex<double> complex;
-    archive(complex);
-    archive.expect_end();
-    return std::make_shared<Mesh>(std::move(complex));
-}
-
 } // namespace
 
 // --- the arrays ------------------------------------------------------------------------------
 
-const Complex<double>& Mesh::complex() const {
-    if (is_busy_) {
-        throw std::runtime_error("a step of this mesh is running: read the mesh after the step");
-    }
-    return complex_;
-}
-
-std::shared_ptr<void> Mesh::change() {
-    (void)complex(); // throws if it is busy
-    is_busy_ = true;
-    arrays_.reset();
-    ++revision_;
-    return {this, [this](void* /*mesh*/) { is_busy_ = false; }};
-}
-
-static py::array frozen(py::array array) {
-    array.attr("flags").attr("writeable") = false;
-    return array;
-}
-
-const Mesh::Arrays& Mesh::arrays() {
-    const Complex<double>& complex = this->complex();
-    if (arrays_) {
-        return *arrays_;
-    }
+MeshArrays arrays_of(const Complex<double>& complex) {
     // Visits triangles by id, because ranges of handles take four times as long.
     const auto rows = std::make_unique_for_overwrite<std::int32_t[]>(complex.vertex_bound());
     py::array_t<double> points({static_cast<py::ssize_t>(complex.vertex_count()), py::ssize_t{2}});
@@ -188,8 +141,7 @@ const Mesh::Arrays& Mesh::arrays() {
             *number++ = triangle.phase;
         }
     }
-    arrays_ = Arrays{frozen(points), frozen(corners), frozen(numbers)};
-    return *arrays_;
+    return {frozen(points), frozen(corners), frozen(numbers)};
 }
 
 // --- the module ------------------------------------------------------------------------------
@@ -200,9 +152,6 @@ void add_mesh(py::module_& module) {
         .def(py::init(&from_pieces<Curve, Phase, Phase>))
         .def(py::init(&from_labels))
         .def(py::init(&from_arrays))
-        .def(py::init(&from_bytes))
-        .def(py::init<const Mesh&>())
-        .def("_bytes", &bytes_of)
         .def("_interface_curves", &curves_of)
         .def("_input_report",
              [](const Mesh& mesh) {
@@ -211,31 +160,18 @@ void add_mesh(py::module_& module) {
                                    report.area_changed, report.dropped, report.area_dropped,
                                    report.clipped);
              })
-        .def_property_readonly("points", &Mesh::points, "Vertices: (n, 2) float64.")
-        .def_property_readonly("triangles", &Mesh::triangles,
-                               "Rows of `points`, counter-clockwise: (m, 3) int32.")
-        .def_property_readonly("phases", &Mesh::phases, "The phase of each triangle: (m,) uint32.")
-        .def_property_readonly("revision", &Mesh::revision,
-                               "The number of changes of the mesh: equal numbers mean the same "
-                               "triangles.")
         .def_property_readonly(
-            "mesh_hash", [](const Mesh& mesh) { return mesh_hash(mesh.complex()); },
-            "A hash of 64 bits, equal for equal coordinates and phases in any order.")
-        .def(
-            "validate", [](const Mesh& mesh) { return validate(mesh.complex()).problem; },
-            "The first error of the complex, '' if it is valid. Exact.")
+            "points", [](Mesh& mesh) { return mesh.arrays().points; }, "Vertices: (n, 2) float64.")
+        .def_property_readonly(
+            "triangles", [](Mesh& mesh) { return mesh.arrays().corners; },
+            "Rows of `points`, counter-clockwise: (m, 3) int32.")
         .def(
             "write_svg",
             [](const Mesh& mesh, const std::filesystem::path& path) {
                 write_svg(mesh.complex(), path.string());
             },
-            "path"_a, "Writes a picture.")
-        .def(
-            "write_vtu",
-            [](const Mesh& mesh, const std::filesystem::path& path) {
-                write_vtu(mesh.complex(), path.string());
-            },
-            "path"_a, "Writes a file for ParaView.");
+            "path"_a, "Writes a picture.");
+    add_common(type);
     module.def("sentences",
                [](std::size_t points, std::size_t thinned, double deviation, double area_changed,
                   std::size_t dropped, double area_dropped, std::size_t clipped) {

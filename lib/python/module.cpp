@@ -26,7 +26,9 @@ PYBIND11_MODULE(_dsc, module) {
         dsc::write_sealed(path, kind, bytes);
     });
     dsc::python::add_mesh(module);
+    dsc::python::add_mesh3(module);
     dsc::python::add_flows(module);
     dsc::python::add_simulation(module);
+    dsc::python::add_simulation3(module);
     dsc::python::add_fluid(module);
 }

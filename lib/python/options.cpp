@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "python/options.h"
 
-#include "dsc/base/names.h"
 #include "dsc/base/renamed.h"
 #include "dsc/parallel/executors.h"
-#include "thesis/divisions.h"
+#include "python/option_table.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace dsc::python {
 
 namespace {
-
-// The repr of a value, cut after 60 characters.
-std::string shown(const py::handle& value) {
-    constexpr std::size_t longest = 60;
-    const auto text = py::repr(value).cast<std::string>();
-    return text.size() <= longest ? text : text.substr(0, longest) + "…";
-}
 
 // --- sizes: Python functions that return a number, called by any thread --------------------------
 
@@ -49,59 +40,11 @@ private:
     }
 };
 
-// The call of a size function, for errors.
-std::string call_of(const SizeOptions<double>::ByPlace& /*type*/) { return "f(x, y, time, phase)"; }
-std::string call_of(const SizeOptions<double>::OnInterface& /*type*/) { return "f(x, y, time)"; }
-std::string call_of(const SizeOptions<double>::ByDistance& /*type*/) { return "f(distance)"; }
-
-// --- choices by name ---------------------------------------------------------------------------
-
-const auto& names_of(Integrator /*type*/) { return integrator_names; }
-const auto& names_of(Insertion /*type*/) { return insertion_names; }
-const auto& names_of(Coarsening /*type*/) { return coarsening_names; }
-const auto& names_of(Reading /*type*/) { return reading_names; }
-const auto& names_of(Detail /*type*/) { return detail_names; }
-const auto& names_of(Coverage /*type*/) { return coverage_names; }
-const auto& names_of(Topology /*type*/) { return topology_names; }
-const auto& names_of(ChosenDivision /*type*/) {
-    static const auto table = [] {
-        EnumTable<ChosenDivision, in_place_divisions.size()> list;
-        std::ranges::transform(in_place_divisions, list.begin(), [](const Division* one) {
-            return Named<ChosenDivision>{{one}, one->name};
-        });
-        return list;
-    }();
-    return table;
-}
-
-template <class Field>
-concept IsNamed = requires(Field field) {
-    names_of(field);
-};
-
 } // namespace
 
 } // namespace dsc::python
 
 // --- conversions by pybind11 ---------------------------------------------------------------------
-
-template <dsc::python::IsNamed Choice>
-struct pybind11::detail::type_caster<Choice> {
-    PYBIND11_TYPE_CASTER(Choice, const_name("str"));
-
-    bool load(handle source, bool /*convert*/) {
-        if (isinstance<str>(source)) {
-            const auto found =
-                dsc::value_in(dsc::python::names_of(value), source.cast<std::string>());
-            value = found.value_or(value);
-            return found.has_value();
-        }
-        return false;
-    }
-    static handle cast(const Choice& choice, return_value_policy /*policy*/, handle /*parent*/) {
-        return str(std::string(dsc::name_in(dsc::python::names_of(choice), choice))).release();
-    }
-};
 
 template <class... Arguments>
 struct pybind11::detail::type_caster<std::function<double(Arguments...)>> {
@@ -126,32 +69,6 @@ struct pybind11::detail::type_caster<std::function<double(Arguments...)>> {
 namespace dsc::python {
 
 namespace {
-
-// The allowed values of a field: names of Python types, except for choices and functions.
-template <class Field>
-std::string allowed(const Field& field) {
-    if constexpr (IsNamed<Field>) {
-        return names_in(names_of(field));
-    } else if constexpr (requires { call_of(field); }) {
-        return "a function " + call_of(field);
-    } else {
-        return py::detail::make_caster<Field>::name.text;
-    }
-}
-template <class Field>
-std::string allowed(const std::optional<Field>& /*field*/) {
-    return allowed(Field()) + " or None";
-}
-
-template <class Field>
-void set(Field& field, const std::string& name, const py::handle& value) {
-    try {
-        field = value.cast<Field>();
-    } catch (const py::cast_error&) {
-        throw InputError(
-            {.what = "bad value", .where = name, .value = shown(value), .allowed = allowed(field)});
-    }
-}
 
 // --- the table ---------------------------------------------------------------------------------
 // Calls `visit(name, field, meaning)` for each option; the choices may be const.
@@ -235,42 +152,17 @@ std::string current_option(const std::string& name) {
 }
 
 void apply(Choices& choices, const py::dict& given, Use use) {
-    for (const auto& keyword : given) {
-        const auto wanted = current_option(keyword.first.cast<std::string>());
-        bool is_known = false;
-        std::string names;
-        for_each_option(choices, use, [&](const std::string& name, auto& field, auto) {
-            names += (names.empty() ? "" : ", ") + name;
-            if (name == wanted) {
-                is_known = true;
-                set(field, name, keyword.second);
-            }
-        });
-        if (!is_known) {
-            throw InputError({.what = "unknown option",
-                              .where = use == Use::simulation ? "Simulation" : "initial_complex",
-                              .value = "'" + wanted + "'",
-                              .allowed = names});
-        }
-    }
+    set_keywords(given, use == Use::simulation ? "Simulation" : "initial_complex",
+                 [&](auto visit) { for_each_option(choices, use, visit); });
 }
 
 py::dict values_of(const Choices& choices) {
-    py::dict values;
-    for_each_option(choices, Use::simulation,
-                    [&](const char* name, const auto& field, auto) { values[name] = field; });
-    return values;
+    return values_in([&](auto visit) { for_each_option(choices, Use::simulation, visit); });
 }
 
 std::string option_help(Use use) {
-    std::string text;
     const Choices defaults;
-    for_each_option(defaults, use,
-                    [&](const std::string& name, const auto& field, const std::string& meaning) {
-                        text += name + " : " + allowed(field) + ", default " +
-                                shown(py::cast(field)) + "\n    " + meaning + "\n";
-                    });
-    return text;
+    return help_of([&](auto visit) { for_each_option(defaults, use, visit); });
 }
 
 } // namespace dsc::python

@@ -154,17 +154,14 @@ void add_simulation(py::module_& module) {
     py::class_<Running>(module, "Simulation")
         .def(py::init<std::shared_ptr<Mesh>, const AnyFlow*, const py::dict&>(),
              py::keep_alive<1, 2>()) // the Python object of the mesh
-        .def("_step", &Running::step)
-        .def("_report", &Running::report)
-        .def("_state", &Running::state)
-        .def("_restore", &Running::restore)
-        .def_property_readonly("mesh", &Running::mesh, "The mesh that moves.")
-        .def_property_readonly(
-            "time", &Running::time,
-            "The time that the last step reached, also if it ended by an exception.")
-        .def_property_readonly("options", &Running::options, "All options: a dict.")
-        .def_property_readonly("interface_size", &Running::interface_size,
-                               "The number of interface vertices.");
+        .def("step", &Running::step)
+        .def("report", &Running::report)
+        .def("state", &Running::state)
+        .def("restore", &Running::restore)
+        .def_property_readonly("mesh", &Running::mesh)
+        .def_property_readonly("time", &Running::time)
+        .def_property_readonly("options", &Running::options)
+        .def_property_readonly("interface_size", &Running::interface_size);
 }
 
 } // namespace dsc::python

@@ -11,7 +11,7 @@ import unittest
 
 import dsc
 import numpy as np
-from meshes import H, disc_mesh
+from meshes import H, ball_mesh, disc_mesh
 
 STUBS = pathlib.Path(dsc.__file__).with_name("__init__.pyi")
 
@@ -38,7 +38,7 @@ def public():
 
 
 def stubbed():
-    """The functions of the stub, with the names and defaults of their parameters."""
+    """The functions of the stub, with the names and defaults of the parameters of each overload."""
     found = {}
 
     def read(body, prefix):
@@ -50,7 +50,7 @@ def stubbed():
                 named = [one.arg for one in node.args.kwonlyargs]
                 defaults = dict(zip(reversed(positional), reversed(node.args.defaults)))
                 defaults |= dict(zip(named, node.args.kw_defaults))
-                found[prefix + node.name] = (positional + named, defaults)
+                found.setdefault(prefix + node.name, []).append((positional + named, defaults))
 
     read(ast.parse(STUBS.read_text(encoding="utf-8")).body, "")
     return found
@@ -74,7 +74,7 @@ class Docstrings(unittest.TestCase):
             for name, value in [("dsc", dsc), *public()]:
                 mesh = disc_mesh()
                 known = {"dsc": dsc, "np": np, "mesh": mesh, "folder": pathlib.Path(folder),
-                         "sim": dsc.Simulation(mesh, edge_length=H)}
+                         "sim": dsc.Simulation(mesh, edge_length=H), "mesh3": ball_mesh()}
                 test = doctest.DocTestParser().get_doctest(inspect.getdoc(value) or "", known, name, None, 0)
                 result = doctest.DocTestRunner().run(test)
                 self.assertEqual(result.failed, 0, name)
@@ -90,19 +90,24 @@ class Docstrings(unittest.TestCase):
 
 class Options(unittest.TestCase):
     def test_are_explained_and_stubbed_with_their_defaults(self):
-        sim = dsc.Simulation(disc_mesh(), edge_length=H)
-        names, defaults = stubbed()["Simulation.__init__"]
-        self.assertEqual(names, ["mesh", "flow", *sim.options])
-        for name, value in sim.options.items():
-            self.assertRegex(dsc.Simulation.__doc__, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")
-            if name != "edge_length":
-                self.assertIn(f", default {value!r}\n", dsc.Simulation.__doc__)
-                default = ast.literal_eval(defaults[name])
-                self.assertEqual(list(default) if name == "advected_phases" else default, value, name)
-        names, _ = stubbed()["initial_complex"]
-        for name in names[3:]:
-            self.assertRegex(dsc.initial_complex.__doc__, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")
-            self.assertIn(name, ["detail", "border_tolerance", "coverage", *sim.options])
+        signatures = stubbed()
+        for k, mesh in enumerate((disc_mesh(), ball_mesh())):
+            sim = dsc.Simulation(mesh, edge_length=0.1)
+            names, defaults = signatures["Simulation.__init__"][k]
+            self.assertEqual(names, ["mesh", "flow", *sim.options])
+            explained = dsc.Simulation.__doc__.split("Other Parameters")[k]
+            for name, value in sim.options.items():
+                self.assertRegex(explained, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")
+                if name != "edge_length":
+                    self.assertIn(f", default {value!r}\n", explained)
+                    default = ast.literal_eval(defaults[name])
+                    self.assertEqual(list(default) if name == "advected_phases" else default, value, name)
+            names, _ = signatures["initial_complex"][k]
+            explained = dsc.initial_complex.__doc__.split("Other Parameters")[k]
+            for name in names[3:]:
+                self.assertRegex(explained, rf"\n{name} : [^\n]+, default [^\n]+\n    \w")
+                others = [["detail", "border_tolerance", "coverage"], ["growth", "improve_rounds", "max_tets"]][k]
+                self.assertIn(name, [*others, *sim.options])
 
 
 class Stubs(unittest.TestCase):
@@ -122,15 +127,16 @@ class Stubs(unittest.TestCase):
     def test_name_what_there_is(self):
         found = dict(public())
         stubs = stubbed()
-        for name, (arguments, defaults) in stubs.items():
-            function = found[name] if name in found else getattr(dsc, name.split(".")[0]).__init__
+        for name, arguments, defaults in [(name, *one) for name, several in stubs.items() for one in several]:
+            owner, _, member = name.partition(".")
+            function = found[name] if name in found else getattr(getattr(dsc, owner), member)
             taken, values = self.taken(name, function)
             self.assertEqual(arguments[:len(taken)] if "edge_length" in arguments else arguments, taken, name)
             for one, value in values.items():
                 default = ast.literal_eval(defaults[one])
                 if default is not ...:
                     self.assertEqual(default, value, f"{name}: {one}")
-        for name in ("Curve", "Event", "Report"):
+        for name in ("Curve", "Event", "Faces", "Report", "Report3"):
             self.assertEqual(fields(name), list(getattr(dsc, name)._fields))
         for name, thing in found.items():
             first = getattr(dsc, name.split(".")[0])

@@ -5,6 +5,7 @@ import numpy as np
 
 H = 0.02
 DOMAIN = ((0, 0), (1, 1))
+BOX = ((0, 0, 0), (1, 1, 1))
 
 
 def disc(centre=(0.5, 0.75), radius=0.15, points=48):
@@ -14,6 +15,10 @@ def disc(centre=(0.5, 0.75), radius=0.15, points=48):
 
 def disc_mesh(h=H, **where):
     return dsc.initial_complex(DOMAIN, {1: disc(**where)}, edge_length=h)
+
+
+def ball_mesh(h=0.1):
+    return dsc.initial_complex(BOX, {1: dsc.ball((0.5, 0.5, 0.6), 0.25)}, edge_length=h)
 
 
 def l_shape(n=20, phase=lambda centres: 0):

@@ -158,7 +158,7 @@ CASES = {
     "velocity of ragged rows": (stepped(lambda x, t: [[0, 1], [1]]), INPUT, "what the velocity returns: not an array"),
     "option that is an array": (stepped(swirl, deviation=np.zeros(3)), INPUT, "deviation: bad value"),
     "phases that are advected and none": (stepped(swirl, advected_phases="all"), INPUT, "advected_phases: bad value"),
-    "restored from other bytes": (lambda mesh: dsc.Simulation(mesh, edge_length=H)._restore(b"abc"),
+    "restored from other bytes": (lambda mesh: dsc.Simulation(mesh, edge_length=H)._compiled.restore(b"abc"),
                                   dsc.FileError, "simulation: unexpected end of data"),
     "mesh from other bytes": (lambda mesh: mesh.__reduce__()[0](b"abc"), dsc.FileError, "mesh: too short"),
     "outline outside": (lambda mesh: dsc.initial_complex(DOMAIN, {1: disc((2, 2))}, edge_length=H), INPUT, "outside"),

@@ -30,15 +30,18 @@ from .fluid import Fluid
 from .interplay import from_meshio
 from .measures import area, circle, grains, hausdorff, symmetric_difference
 from .mesh import Mesh, from_labels, initial_complex
-from .records import Curve, Event, InputReport, Interface, Report
+from .mesh3 import Mesh3
+from .records import Curve, Event, Faces, InputReport, Interface, Report, Report3
 from .runs import Series, run
+from .shapes3 import Shape3, ball, box, closed_surface, ellipsoid, torus
 from .simulation import Simulation
 from .state import load, save
 
-__all__ = ["Curve", "Data", "Event", "FileError", "Flow", "Fluid", "InputError", "InputReport", "Interface", "Mesh",
-           "Report", "Series", "Simulation", "SolveError", "animate", "area", "bench", "circle", "curvature_flow",
-           "from_labels", "from_meshio", "grains", "growth", "hausdorff", "initial_complex", "interface_flow", "load",
-           "plot", "run", "save", "scenes", "swirl", "symmetric_difference"]
+__all__ = ["Curve", "Data", "Event", "Faces", "FileError", "Flow", "Fluid", "InputError", "InputReport", "Interface",
+           "Mesh", "Mesh3", "Report", "Report3", "Series", "Shape3", "Simulation", "SolveError", "animate", "area",
+           "ball", "bench", "box", "circle", "closed_surface", "curvature_flow", "ellipsoid", "from_labels",
+           "from_meshio", "grains", "growth", "hausdorff", "initial_complex", "interface_flow", "load", "plot", "run",
+           "save", "scenes", "swirl", "symmetric_difference", "torus"]
 
 
 def __getattr__(name):

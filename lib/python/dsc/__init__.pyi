@@ -2,7 +2,7 @@
 # The types of the public names; docstrings are in the module.
 from collections.abc import Callable, Collection, Mapping, Sequence
 from os import PathLike
-from typing import Any, Literal, NamedTuple, TypedDict
+from typing import Any, Generic, Literal, NamedTuple, TypedDict, TypeVar, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -54,6 +54,23 @@ class Report(NamedTuple):
     gave_up: Literal["", "too_many_sub_steps", "too_many_passes", "velocity_jumps", "interrupted"]
     events: list[Event]
     reason: str
+
+class Report3(NamedTuple):
+    unreached: int
+    held: int
+    sub_steps: int
+    interface_vertices: int
+    reached: float
+    gave_up: Literal["", "too_many_sub_steps"]
+    passes: int
+    unjammed: int
+    error: float
+    operations: dict[str, int]
+
+class Faces(NamedTuple):
+    triangles: NDArray[np.int32]
+    inside: NDArray[np.uint32]
+    outside: NDArray[np.uint32]
 
 class Interface:
     positions: Floats
@@ -122,11 +139,50 @@ class Mesh:
     def to_shapely(self, phase: int) -> Any: ...
     def to_triangulation(self) -> Any: ...
 
+class Mesh3:
+    def __init__(self, points: ArrayLike, tetrahedra: ArrayLike, phases: ArrayLike) -> None: ...
+    @property
+    def points(self) -> Floats: ...
+    @property
+    def tetrahedra(self) -> NDArray[np.int32]: ...
+    @property
+    def phases(self) -> NDArray[np.uint32]: ...
+    @property
+    def qualities(self) -> Floats: ...
+    @property
+    def min_dihedrals(self) -> Floats: ...
+    @property
+    def volumes(self) -> dict[int, float]: ...
+    @property
+    def mesh_hash(self) -> int: ...
+    @property
+    def revision(self) -> int: ...
+    @property
+    def vertex_data(self) -> Data: ...
+    @property
+    def tet_data(self) -> Data: ...
+    def interface_faces(self) -> Faces: ...
+    def validate(self) -> str: ...
+    def copy(self) -> Mesh3: ...
+    def write_vtu(self, path: str | PathLike[str]) -> None: ...
+    def write_interface_vtu(self, path: str | PathLike[str]) -> None: ...
+    def write_ply(self, path: str | PathLike[str]) -> None: ...
+    def write_stl(self, path: str | PathLike[str]) -> None: ...
+    def to_meshio(self) -> Any: ...
+
+class Shape3:
+    def __call__(self, points: ArrayLike) -> Floats: ...
+
+Solid = Shape3 | Callable[[Floats], ArrayLike]
+
 class Flow: ...
 
-class Simulation:
+_AnyMesh = TypeVar("_AnyMesh", Mesh, Mesh3)
+
+class Simulation(Generic[_AnyMesh]):
+    @overload
     def __init__(
-        self,
+        self: Simulation[Mesh],
         mesh: Mesh,
         flow: Flow | None = None,
         *,
@@ -159,13 +215,38 @@ class Simulation:
         division: str | None = None,
         submeshes: int | None = None,
     ) -> None: ...
-    def step(self, flow: Velocity | Flow, time: float, dt: float) -> Report: ...
+    @overload
+    def __init__(
+        self: Simulation[Mesh3],
+        mesh: Mesh3,
+        flow: None = None,
+        *,
+        edge_length: float,
+        longest: float = 1.4,
+        shortest: float = 0.45,
+        deviation: float = 0.005,
+        always: float = 0.15,
+        quality: float = 0.25,
+        move_quality: float = 0.1,
+        layers: int = 3,
+        integrator: str = "rk4",
+        tolerance: float = 1e-4,
+        sub_step: float = 0.4,
+        max_sub_steps: int = 10000,
+        max_passes: int = 10,
+        threads: int | None = None,
+        submeshes: int | None = None,
+    ) -> None: ...
+    @overload
+    def step(self: Simulation[Mesh], flow: Velocity | Flow, time: float, dt: float) -> Report: ...
+    @overload
+    def step(self: Simulation[Mesh3], flow: Velocity, time: float, dt: float) -> Report3: ...
     @property
-    def mesh(self) -> Mesh: ...
+    def mesh(self) -> _AnyMesh: ...
     @property
     def time(self) -> float: ...
     @property
-    def report(self) -> Report: ...
+    def report(self) -> Any: ...
     @property
     def flow(self) -> Flow | None: ...
     @property
@@ -176,7 +257,7 @@ class Simulation:
 class Fluid:
     def __init__(
         self,
-        sim: Simulation,
+        sim: Simulation[Mesh],
         phases: Mapping[int, tuple[float, float] | None],
         tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
@@ -215,8 +296,9 @@ def from_labels(
     coverage: str = "open",
 ) -> Mesh: ...
 
-def from_meshio(mesh: Any, phases: str | None = None) -> Mesh: ...
+def from_meshio(mesh: Any, phases: str | None = None) -> Any: ...
 
+@overload
 def initial_complex(
     domain: ArrayLike,
     shapes: Mapping[int, Any] | Any | None = None,
@@ -234,6 +316,22 @@ def initial_complex(
     border_tolerance: float = 1e-3,
     coverage: str = "open",
 ) -> Mesh: ...
+@overload
+def initial_complex(
+    domain: ArrayLike,
+    shapes: Mapping[int, Solid | Sequence[Solid]] | Sequence[tuple[Solid, int | Mapping[int, int]]] | None = None,
+    *,
+    curves: None = None,
+    edge_length: float,
+    growth: float = 0.7,
+    improve_rounds: int = 4,
+    max_tets: float = 2e7,
+) -> Mesh3: ...
+def ball(centre: ArrayLike, radius: float) -> Shape3: ...
+def box(low: ArrayLike, high: ArrayLike) -> Shape3: ...
+def ellipsoid(centre: ArrayLike, radii: ArrayLike) -> Shape3: ...
+def torus(centre: ArrayLike, axis: ArrayLike, circle_radius: float, tube_radius: float) -> Shape3: ...
+def closed_surface(points: ArrayLike | str | PathLike[str], triangles: ArrayLike | None = None) -> Shape3: ...
 def interface_flow(function: Callable[[Interface, float], ArrayLike]) -> Flow: ...
 def swirl(amplitude: float = 1, period: float = 0) -> Flow: ...
 def growth(speeds: Mapping[tuple[int, int], float]) -> Flow: ...
@@ -248,7 +346,7 @@ def grains(mesh: Mesh) -> dict[str, NDArray[Any]]: ...
 def area(outlines: ArrayLike | Sequence[ArrayLike]) -> float: ...
 def circle(centre: ArrayLike, radius: float, edge_length: float) -> Floats: ...
 def plot(
-    mesh: Mesh,
+    mesh: Mesh | Mesh3,
     ax: Any = None,
     *,
     values: ArrayLike | None = None,
@@ -258,22 +356,22 @@ def plot(
     **style: Any,
 ) -> Any: ...
 def animate(
-    sim: Simulation, flow: Velocity | Flow, dt: float, steps: int, *, every: int = 1, ax: Any = None, **style: Any
+    sim: Simulation[Mesh], flow: Velocity | Flow, dt: float, steps: int, *, every: int = 1, ax: Any = None, **style: Any
 ) -> Any: ...
 def run(
-    sim: Simulation,
+    sim: Simulation[_AnyMesh],
     flow: Velocity | Flow,
     dt: float,
     steps: int,
     *,
     time: float | None = None,
-    after: Callable[[Simulation, Report], object] | None = None,
+    after: Callable[[Simulation[_AnyMesh], Any], object] | None = None,
     progress: Callable[[str], object] | bool | None = None,
-) -> list[Report]: ...
+) -> list[Any]: ...
 
 class Series:
     def __init__(self, path: str | PathLike[str]) -> None: ...
-    def add(self, mesh: Mesh, time: float) -> None: ...
+    def add(self, mesh: Mesh | Mesh3, time: float) -> None: ...
 
 def save(path: str | PathLike[str], thing: object) -> None: ...
 def load(path: str | PathLike[str]) -> Any: ...

@@ -20,6 +20,20 @@ def shown(value):
     return text if len(text) <= 60 else text[:60] + "…"
 
 
+def expect_plane(mesh, where):
+    """Raises InputError for a mesh in space."""
+    if isinstance(mesh, _dsc.Mesh3):
+        refuse("a mesh in space", where, repr(mesh), "a Mesh, which is in the plane")
+
+
+def phases_shown(phases):
+    """The phases of a mesh for its `repr`: all, or the first ones and the last one."""
+    names = [str(phase) for phase in phases]
+    if len(names) <= 8:
+        return f"phases {', '.join(names)}"
+    return f"{len(names)} phases {', '.join([*names[:6], '…', names[-1]])}"
+
+
 def numbers(value, where):
     """An array of real numbers; None for complex numbers and texts, which numpy would cast silently.
 
@@ -35,20 +49,20 @@ def numbers(value, where):
     return array if array.dtype.kind in "fiub" else None
 
 
-def points(value, where, rows="n"):
-    """An array of the shape (rows, 2). `where` names the argument. Raises InputError."""
-    shape = f"numbers of the shape ({rows}, 2)"
+def points(value, where, rows="n", width=2):
+    """An array of the shape (rows, width). `where` names the argument. Raises InputError."""
+    shape = f"numbers of the shape ({rows}, {width})"
     array = numbers(value, where)
     if array is None:
         refuse("not an array of points", where, shown(value), shape)
-    if array.ndim != 2 or array.shape[1] != 2 or rows not in ("n", len(array)):
+    if array.ndim != 2 or array.shape[1] != width or rows not in ("n", len(array)):
         refuse("points of the wrong shape", where, f"an array of the shape {array.shape}", shape)
     return array
 
 
-def point(value, where):
-    """The two coordinates of an object with two numbers. Raises InputError."""
-    return points([value], where, 1)[0].tolist()
+def point(value, where, width=2):
+    """The coordinates of a point. Raises InputError."""
+    return points([value], where, 1, width)[0].tolist()
 
 
 def whole_numbers(value, where, shape, dimensions):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Data of vertices and triangles as dictionaries of arrays."""
+"""Data of vertices, triangles and tets as dictionaries of arrays."""
 from collections.abc import MutableMapping
 
 from .arrays import numbers, refuse, shown
@@ -9,10 +9,11 @@ OF_THE_MESH = ("phase", "position")
 
 
 class Data(MutableMapping):
-    """Arrays by name, one entry for each vertex or triangle: numbers (n,) or vectors (n, 2).
+    """Arrays by name, one entry for each vertex, triangle or tet: numbers (n,) or vectors, which are
+    (n, 2) in a `Mesh` and (n, 3) in a `Mesh3`.
 
     They follow the mesh: a vertex made by a split gets the value interpolated from its neighbours, a
-    new triangle that of the triangle that was split. Reading returns a copy; assign it to write it back.
+    new triangle or tet that of the one that it replaces. Reading returns a copy; assign it to write it back.
     """
 
     def __init__(self, mesh, kind):
@@ -31,12 +32,14 @@ class Data(MutableMapping):
     def __setitem__(self, name, values):
         if name in OF_THE_MESH:
             refuse("a name that files use for the mesh itself", f"{self._kind}_data", repr(name), "another name")
-        count = len(self._mesh.points if self._kind == "vertex" else self._mesh.triangles)
+        count = len(self._mesh.points if self._kind == "vertex" else self._mesh.phases)
+        width = self._mesh.points.shape[1]
         array = numbers(values, name)
-        if array is None or array.shape not in ((count,), (count, 2)):
+        if array is None or array.shape not in ((count,), (count, width)):
             refuse(f"not one entry for each {self._kind}", name, shown(values),
-                   f"numbers of the shape ({count},) or ({count}, 2)")
-        getattr(self._mesh, f"_set_{self._kind}_data")(name, array)
+                   f"numbers of the shape ({count},) or ({count}, {width})")
+        write = self._mesh._set_vertex_data if self._kind == "vertex" else self._mesh._set_cell_data
+        write(name, array)
 
     def __delitem__(self, name):
         if name not in self._names():

@@ -2,6 +2,9 @@
 """Pictures of meshes by matplotlib, which is imported on first use."""
 import numpy as np
 
+from . import arrays, drawing3
+from .mesh3 import Mesh3
+
 # The palette of Okabe and Ito (2008), safe for the colour-blind; the exterior is white.
 PALETTE = ("#ffffff", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#0072b2", "#d55e00")
 MOST_EDGES = 40_000  # triangles: with more, edges would hide the colours
@@ -12,11 +15,12 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
 
     Parameters
     ----------
-    mesh : Mesh
+    mesh : Mesh or Mesh3
+        Of a `Mesh3`, the interface is drawn, by pyvista if it is installed, otherwise by vtk.
     ax : matplotlib.axes.Axes, optional
-        By default the current one.
+        By default the current one. For a `Mesh3`: a `pyvista.Plotter`, or a `vtkRenderer`; by default a new one.
     values : array_like, optional
-        Values of the triangles, coloured instead of their phases.
+        Values of the triangles, coloured instead of their phases; for a `Mesh3`, of the vertices.
     edges : bool, optional
         Whether edges are drawn; by default if the mesh has few enough.
     interface : bool
@@ -25,12 +29,20 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
         The first is that of phase 0. Larger phases reuse the others, with different colours for
         neighbours if there are enough.
     **style
-        Passed to `Axes.tripcolor`.
+        Passed to `Axes.tripcolor`; for a `Mesh3`, to `pyvista.Plotter.add_mesh`.
 
     Returns
     -------
     matplotlib.axes.Axes
+        For a `Mesh3`: the `pyvista.Plotter`, whose method `show` opens a window; or the `vtkRenderer`.
+
+    Raises
+    ------
+    ImportError
+        If the package that draws is not installed.
     """
+    if isinstance(mesh, Mesh3):
+        return drawing3.plot(mesh, ax, values=values, edges=edges, palette=palette, **style)
     import matplotlib.pyplot as plt
     from matplotlib.collections import LineCollection
     from matplotlib.colors import ListedColormap
@@ -97,6 +109,7 @@ def animate(sim, flow, dt, steps, *, every=1, ax=None, **style):
     import matplotlib.pyplot as plt
     from matplotlib.animation import FuncAnimation
 
+    arrays.expect_plane(sim.mesh, "animate")
     ax = plt.gca() if ax is None else ax
     made = 0
 

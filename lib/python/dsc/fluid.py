@@ -33,6 +33,7 @@ class Fluid(_dsc.Fluid):
     def __init__(self, sim, phases, tensions, *, gravity=(0, 0), slip=(), inertia=True, tolerance=0,
                  threads=1):
         """Starts at rest at time 0; without inertia, with the velocity that follows from the interface."""
+        arrays.expect_plane(sim.mesh, "Fluid")
         slip = (slip,) if isinstance(slip, str) else slip
         for side in slip:
             if side not in SIDES:
@@ -57,5 +58,5 @@ class Fluid(_dsc.Fluid):
         Report
             The sums over these steps.
         """
-        self._sim._step(self, self.time, dt)
+        self._sim._compiled.step(self, self.time, dt)
         return self._sim.report

@@ -6,7 +6,7 @@ Outlines are one array (n, 2) or a list of such arrays.
 import numpy as np
 
 from . import _dsc
-from .arrays import outlines as _outlines, point
+from .arrays import expect_plane, outlines as _outlines, point
 
 
 def symmetric_difference(first, second):
@@ -96,6 +96,7 @@ def grains(mesh):
     >>> list(dsc.grains(mesh))
     ['phase', 'area', 'perimeter', 'radius', 'neighbours', 'sides', 'at_boundary']
     """
+    expect_plane(mesh, "grains")
     phases, grain = np.unique(mesh.phases, return_inverse=True)
     n, outside = len(phases), -1
     # Directed edges with their grain on the left, and the grain across each edge.

@@ -3,9 +3,13 @@
 import pathlib
 import tempfile
 
+import numpy as np
+
 from . import _dsc, arrays, interplay
 from .data import Data
+from .mesh3 import Mesh3
 from .records import Curve, InputReport
+from .shapes3 import shapes_of
 from .state import sealed, unsealed
 
 
@@ -53,11 +57,8 @@ class Mesh(_dsc.Mesh):
         return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data)),)
 
     def __repr__(self):
-        phases = [str(phase) for phase in self.areas]
-        if len(phases) > 8:
-            phases[6:-1] = ["…"]
         return (f"<dsc.Mesh: {len(self.triangles)} triangles, {len(self.points)} vertices, "
-                f"{f'{len(self.areas)} ' if '…' in phases else ''}phases {', '.join(phases)}>")
+                f"{arrays.phases_shown(self.areas)}>")
 
     def _repr_svg_(self):
         """The representation in a notebook."""
@@ -129,7 +130,18 @@ def _curve(value, where):
     return arrays.flat_points(points, where), arrays.phase(left, where), arrays.phase(right, where)
 
 
+def _is_in_space(domain):
+    try:
+        return np.shape(domain) == (2, 3) and domain[0][2] != domain[1][2]
+    except ValueError:  # rows of several lengths
+        return False
+
+
 def initial_complex(domain, shapes=None, *, curves=None, **options):
+    if _is_in_space(domain):
+        if curves is not None:
+            arrays.refuse("curves in a domain in space", "initial_complex", "curves", "shapes")
+        return Mesh3._made_of(arrays.points(domain, "domain", 2, 3), shapes_of(shapes), options)
     rings = [ring for _, outline, holes in arrays.polygons(domain, "domain") for ring in (outline, *holes)]
     if not rings or min(map(len, rings)) < (2 if len(rings) == 1 else 3):
         arrays.refuse("not a domain", "domain", arrays.shown(domain),
@@ -180,21 +192,32 @@ initial_complex.__doc__ = f"""Makes the first mesh of a simulation.
 
 Parameters
 ----------
-domain : array_like (2, 2), or a polygon
+domain : array_like (2, 2), or a polygon; or array_like (2, 3)
     The lower left corner of a rectangle, and the upper right one; or a polygon: (n, 2) points, a list
     of such rings, the second of which is a hole in the first, or what has a `__geo_interface__`.
+    In space: the corners of a box with the smallest coordinates and with the largest.
 shapes : dict, or an object with a __geo_interface__; optional
     For each phase a polygon (n, 2), a list of polygons, or an object with a `__geo_interface__`, such as
     polygons of shapely and columns of geopandas. Instead of the dict, a frame of geopandas or a
     FeatureCollection: each of its features is a phase, by its property `phase`, or numbered from 1 on.
     Polygons may be closed or open, run either way, share borders and reach beyond the domain. The
     innermost polygon counts; a polygon inside another one of the same phase is a hole; the rest is phase 0.
+
+    In space: for each phase a `Shape3` such as `ball`, a function of points (n, 3) that returns signed
+    distances (n,), or a list of these; or a list of pairs `(shape, phase)` and `(shape, {{one: other}})`.
+    Where shapes overlap, the later one counts. With a dict, a shape divides phases: inside it, what was
+    phase `one` is phase `other`, and other phases stay. A function is called for one point at a time.
 curves : sequence of (points, left, right), optional
-    Instead of shapes: curves from junction to junction with the phases on both sides.
+    Instead of shapes: curves from junction to junction with the phases on both sides. Not in space.
 **options
-    The following ones.
+    The following ones in the plane.
 {_dsc.size_help}
+Other Parameters
+----------------
+**options
+    The following ones in space.
+{_dsc.size3_help}
 Returns
 -------
-Mesh
+Mesh, or Mesh3 in space
 """

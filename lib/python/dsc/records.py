@@ -104,6 +104,45 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
     __slots__ = ()
 
 
+class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices reached gave_up passes unjammed "
+                         "error operations")):
+    """The report of a step of a `Mesh3`.
+
+    Attributes
+    ----------
+    unreached, held, sub_steps, interface_vertices, reached
+        As in `Report`.
+    gave_up : str
+        Empty if the step was completed; `too_many_sub_steps` if the velocity is too large, or jumps.
+    passes : int
+        Of movement and mesh repair, summed over sub-steps.
+    unjammed : int
+        Interface edges that were collapsed under relaxed rules, to let vertices arrive.
+    error : float
+        The largest estimate of the error of the adaptive integrator, a length.
+    operations : dict of int
+        What was done, by name: `splits`, `collapses`, `edge_removals`, `face_flips` and `smoothings`
+        inside a phase; `interface_splits`, `interface_collapses` and `interface_flips` of edges of the
+        interface; `reassigned`: flat tets on the interface that changed their phase.
+    """
+
+    __slots__ = ()
+
+
+class Faces(namedtuple("Faces", "triangles inside outside")):
+    """The faces of the interface of a `Mesh3`.
+
+    Attributes
+    ----------
+    triangles : (k, 3) array of int
+        Rows of `mesh.points`, counter-clockwise as seen from the outside.
+    inside, outside : (k,) arrays of int
+        The phases on both sides; `inside` is the higher one.
+    """
+
+    __slots__ = ()
+
+
 class Interface:
     """The interface at one stage of the integrator, for the function of an `interface_flow`.
 

@@ -2,27 +2,59 @@
 """Simulations: the compiled part, with reports, flows and pickling."""
 from . import _dsc, arrays
 from .flows import Flow
-from .records import Event, Report
+from .mesh3 import Mesh3
+from .records import Event, Report, Report3
 from .state import sealed, unsealed
 
 
-class Simulation(_dsc.Simulation):
+class Simulation:
     __doc__ = f"""Moves the interface of a mesh and keeps the mesh a valid complex.
 A mesh has at most one simulation at a time.
 
 Parameters
 ----------
-mesh : Mesh
+mesh : Mesh or Mesh3
 flow : Flow, optional
-    A flow that needs a simulation of its own kind: `growth`.
+    A flow that needs a simulation of its own kind: `growth`. Not for a `Mesh3`.
 **options
-    The following ones.
-{_dsc.option_help}"""
+    For a `Mesh`, the following ones.
+{_dsc.option_help}
+Other Parameters
+----------------
+**options
+    For a `Mesh3`, the following ones.
+{_dsc.option3_help}"""
 
     def __init__(self, mesh, flow=None, **options):
         """Starts at time 0. The mesh belongs to the simulation until the simulation is deleted."""
-        super().__init__(mesh, getattr(flow, "_compiled", flow), options)
+        if isinstance(mesh, Mesh3):
+            if flow is not None:
+                arrays.refuse("a flow that needs a simulation of its own kind", "Simulation of a Mesh3",
+                              arrays.shown(flow), "None: give the velocity to `step`")
+            self._compiled = _dsc.Simulation3(mesh, options)
+        else:
+            self._compiled = _dsc.Simulation(mesh, getattr(flow, "_compiled", flow), options)
         self._flow = flow
+
+    @property
+    def mesh(self):
+        """The mesh that moves."""
+        return self._compiled.mesh
+
+    @property
+    def time(self):
+        """The time that the last step reached, also if it ended by an exception."""
+        return self._compiled.time
+
+    @property
+    def options(self):
+        """All options: a dict."""
+        return self._compiled.options
+
+    @property
+    def interface_size(self):
+        """The number of interface vertices."""
+        return self._compiled.interface_size
 
     @property
     def flow(self):
@@ -35,30 +67,36 @@ flow : Flow, optional
         Parameters
         ----------
         flow : callable or Flow
-            A function of positions (n, 2) and the time, which returns velocities (n, 2). The thread
-            that called `step` calls it once in each stage of the integrator, for all interface
-            vertices. `step` passes on its exceptions; the mesh is then valid but has not reached
-            the end of the step: `time` and `report` say how far it came.
+            A function of positions (n, 2) and the time, which returns velocities (n, 2); for a `Mesh3`,
+            (n, 3) and (n, 3). The thread that called `step` calls it once in each stage of the
+            integrator, for all interface vertices. `step` passes on its exceptions; the mesh is then
+            valid but has not reached the end of the step: `time` and `report` say how far it came.
+            Flows of the library are for a `Mesh`.
         time, dt : float
 
         Returns
         -------
         Report
+            For a `Mesh3`, a `Report3`.
         """
-        if isinstance(flow, Flow):
+        in_space = isinstance(self._compiled, _dsc.Simulation3)
+        if isinstance(flow, Flow) and not in_space:
             compiled = flow._compiled
         elif callable(flow):
-            compiled = _dsc.velocity(flow)
+            compiled = flow if in_space else _dsc.velocity(flow)
         else:
             arrays.refuse("not a flow", "Simulation.step", arrays.shown(flow),
+                          "a function of positions (n, 3) and time" if in_space else
                           "a function of positions (n, 2) and time, or a dsc.Flow")
-        self._step(compiled, time, dt)
+        self._compiled.step(compiled, time, dt)
         return self.report
 
     @property
     def report(self):
-        """The `Report` of the last step, also if it ended by an exception."""
-        told = self._report()
+        """The `Report` of the last step, or `Report3`, also if it ended by an exception."""
+        told = self._compiled.report()
+        if isinstance(self._compiled, _dsc.Simulation3):
+            return Report3(**told)
         events = [Event(**event) for event in told.pop("events")]
         return Report(**told, events=events)
 
@@ -66,7 +104,7 @@ flow : Flow, optional
         return f"<dsc.Simulation: {self.interface_size} interface vertices, time {self.time:.6g}>"
 
     def __reduce__(self):
-        return _simulation_from, (self.mesh, sealed(self.options, self.flow, self._state()))
+        return _simulation_from, (self.mesh, sealed(self.options, self.flow, self._compiled.state()))
 
     def __copy__(self):
         make, (mesh, state) = self.__reduce__()
@@ -76,5 +114,5 @@ flow : Flow, optional
 def _simulation_from(mesh, state):
     options, flow, inner = unsealed(state, "simulation")
     sim = Simulation(mesh, flow, **options)
-    sim._restore(inner)
+    sim._compiled.restore(inner)
     return sim
