@@ -36,3 +36,14 @@ def l_shape(n=20, phase=lambda centres: 0):
 def swirl(x, t):
     X, Y = np.pi * x.T
     return np.c_[np.sin(X)**2 * np.sin(2 * Y), -np.sin(Y)**2 * np.sin(2 * X)]
+
+
+def turn(x, t):
+    """In space, about an axis through the centre of the box."""
+    return np.c_[0.5 - x[:, 1], x[:, 0] - 0.5, 0 * t * x[:, 2]]
+
+
+def started(steps=3, **options):
+    sim = dsc.Simulation(ball_mesh(), edge_length=0.1, **options)
+    dsc.run(sim, turn, 0.1, steps)
+    return sim

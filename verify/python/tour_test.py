@@ -21,7 +21,7 @@ class Tour(unittest.TestCase):
     def test_programs_do_what_the_pages_say(self):
         here = os.getcwd()
         for name, page in [("swirl", "python.md"), ("grains", "python.md"), ("conduction", "python.md"),
-                           ("shapes", "shapes.md")]:
+                           ("space", "python.md"), ("shapes", "shapes.md")]:
             page = (GUIDE / page).read_text(encoding="utf-8")
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 printed = io.StringIO()
