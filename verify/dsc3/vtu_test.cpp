@@ -36,6 +36,14 @@ std::vector<Number> numbers(const std::string& file, const std::string& name) {
 
 TEST(Vtu3, HoldsTetsAndFaces) {
     Complex complex = initial_complex({}, {{ball({0.5, 0.5, 0.5}, 0.2), 3}}, {.edge_length = 0.1});
+    auto& place = complex.attributes.add<Vertex>("place & time", Point(0, 0, 0));
+    auto& number = complex.attributes.add<Tet>("number", std::uint32_t{0});
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        place[Vertex{v}] = complex.at(v);
+    }
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        number[Tet{t}] = complex.phases[t];
+    }
     const std::string tets = written(write_vtu, complex);
     const auto points = numbers<double>(tets, "Points");
     const auto corners = numbers<std::int64_t>(tets, "connectivity");
@@ -43,6 +51,8 @@ TEST(Vtu3, HoldsTetsAndFaces) {
     ASSERT_EQ(points.size(), 3 * complex.vertex_count());
     ASSERT_EQ(corners.size(), 4 * complex.tet_count());
     ASSERT_EQ(phases.size(), complex.tet_count());
+    EXPECT_EQ(numbers<double>(tets, "place &amp; time"), points);
+    EXPECT_EQ(numbers<std::uint32_t>(tets, "number"), phases);
     EXPECT_EQ(numbers<std::uint8_t>(tets, "types").back(), 10);
     EXPECT_EQ(numbers<std::int64_t>(tets, "offsets").back(), std::int64_t(corners.size()));
     const auto point = [&](std::size_t corner) {

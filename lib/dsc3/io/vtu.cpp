@@ -29,12 +29,19 @@ public:
         data_tags_ += tag(name, 1, numbers);
     }
 
+    // The attributes of the tets, which are the cells.
+    void add_tet_attributes(const std::vector<std::uint32_t>& tets) {
+        data_tags_ += attributes<Tet>(tets);
+    }
+
     void write(const std::string& path) {
         std::vector<double> points;
         std::int64_t count = 0;
+        std::vector<std::uint32_t> ids;
         for (std::uint32_t v = 0; v < complex_.vertex_bound(); ++v) {
             if (number_[v] == 0) {
                 number_[v] = count++;
+                ids.push_back(v);
                 const Point& p = complex_.at(v);
                 points.insert(points.end(), {p.x(), p.y(), p.z()});
             }
@@ -48,6 +55,7 @@ public:
                 ends.push_back(static_cast<std::int64_t>(i + 1));
             }
         }
+        const std::string point_data = attributes<Vertex>(ids);
         const std::string point_tag = tag("Points", 3, points);
         const std::string cell_tags = tag("connectivity", 1, corners) + tag("offsets", 1, ends) +
                                       tag("types", 1, std::vector<std::uint8_t>(n, type_));
@@ -56,7 +64,8 @@ public:
              << "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
                 "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
              << static_cast<std::uint64_t>(count) << "\" NumberOfCells=\"" << std::uint64_t{n}
-             << "\">\n<CellData>\n"
+             << "\">\n<PointData>\n"
+             << point_data << "</PointData>\n<CellData>\n"
              << data_tags_ << "</CellData>\n<Points>\n"
              << point_tag << "</Points>\n<Cells>\n"
              << cell_tags << "</Cells>\n</Piece>\n</UnstructuredGrid>\n"
@@ -65,9 +74,54 @@ public:
     }
 
 private:
+    // The attributes whose entries are numbers or points, for simplices by id.
+    template <class Simplex>
+    std::string attributes(const std::vector<std::uint32_t>& ids) {
+        std::string tags;
+        for (const auto& one : complex_.attributes.list()) {
+            if (data_tags_.find("Name=\"" + dsc::escape_xml(one->name()) + '"') ==
+                std::string::npos) {
+                tags += tag_of_one<Simplex, double, float, std::int8_t, std::uint8_t, std::int16_t,
+                                   std::uint16_t, std::int32_t, std::uint32_t, std::int64_t,
+                                   std::uint64_t, Point>(*one, ids);
+            }
+        }
+        return tags;
+    }
+    template <class Simplex, class... Values>
+    std::string tag_of_one(const dsc::AttributeBase& one, const std::vector<std::uint32_t>& ids) {
+        std::string text;
+        (void)(add_if<Simplex, Values>(one, ids, text) || ...);
+        return text;
+    }
+    template <class Simplex, class Value>
+    bool add_if(const dsc::AttributeBase& one, const std::vector<std::uint32_t>& ids,
+                std::string& text) {
+        const auto* const typed = dynamic_cast<const dsc::Attribute<Value, Simplex>*>(&one);
+        if (typed == nullptr) {
+            return false;
+        }
+        const std::string name = dsc::escape_xml(one.name());
+        if constexpr (std::is_arithmetic_v<Value>) {
+            std::vector<Value> numbers;
+            for (const std::uint32_t id : ids) {
+                numbers.push_back((*typed)[Simplex{id}]);
+            }
+            text = tag(name, 1, numbers);
+        } else {
+            std::vector<Real> numbers;
+            for (const std::uint32_t id : ids) {
+                const Point& p = (*typed)[Simplex{id}];
+                numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
+            }
+            text = tag(name, 3, numbers);
+        }
+        return true;
+    }
+
     // Appends the numbers to the data, after their size in bytes.
     template <class Number>
-    std::string tag(const char* name, int components, const std::vector<Number>& numbers) {
+    std::string tag(const std::string& name, int components, const std::vector<Number>& numbers) {
         const std::size_t offset = bytes_.size();
         const std::uint64_t size = numbers.size() * sizeof(Number);
         bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
@@ -96,15 +150,18 @@ void write_vtu(const Complex& complex, const std::string& path) {
     Grid grid(complex, 4, 10); // VTK_TETRA
     std::vector<Phase> phases;
     std::vector<Real> qualities;
+    std::vector<std::uint32_t> ids;
     for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
         if (complex.is_alive(Tet{t})) {
             grid.add_cell(complex.tets[t].v);
             phases.push_back(complex.phases[t]);
             qualities.push_back(quality_of(complex, t));
+            ids.push_back(t);
         }
     }
     grid.add_data("phase", phases);
     grid.add_data("quality", qualities);
+    grid.add_tet_attributes(ids);
     grid.write(path);
 }
 
