@@ -113,7 +113,7 @@ void set(Field& field, const std::string& name, const py::handle& value) {
 template <class Table>
 void set_keywords(const py::dict& given, const std::string& where, Table for_each_option) {
     for (const auto& keyword : given) {
-        const auto wanted = current_option(keyword.first.cast<std::string>());
+        const auto wanted = keyword.first.cast<std::string>();
         bool is_known = false;
         std::string names;
         for_each_option([&](const std::string& name, auto& field, auto) {

@@ -152,7 +152,11 @@ std::string current_option(const std::string& name) {
 }
 
 void apply(Choices& choices, const py::dict& given, Use use) {
-    set_keywords(given, use == Use::simulation ? "Simulation" : "initial_complex",
+    py::dict current;
+    for (const auto& [name, value] : given) {
+        current[py::str(current_option(name.cast<std::string>()))] = value;
+    }
+    set_keywords(current, use == Use::simulation ? "Simulation" : "initial_complex",
                  [&](auto visit) { for_each_option(choices, use, visit); });
 }
 

@@ -55,16 +55,23 @@ class State(unittest.TestCase):
 
     def test_files_have_all_tets_and_all_faces(self):
         import meshio
-        mesh = ball_mesh()
+        mesh = started().mesh  # some ids are free
+        mesh.vertex_data["x & y"] = mesh.points
+        mesh.tet_data["angle"] = mesh.min_dihedrals
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             mesh.write_vtu(folder / "mesh.vtu")
-            self.assertEqual(dsc.from_meshio(meshio.read(folder / "mesh.vtu")).mesh_hash, mesh.mesh_hash)
+            read = meshio.read(folder / "mesh.vtu")
+            self.assertEqual(dsc.from_meshio(read).mesh_hash, mesh.mesh_hash)
+            self.assertTrue(np.array_equal(read.point_data["x & y"], mesh.points))
+            self.assertTrue(np.array_equal(read.cell_data["angle"][0], mesh.min_dihedrals))
             count = len(mesh.interface_faces().triangles)
             for write, name in ((mesh.write_interface_vtu, "a.vtu"), (mesh.write_ply, "a.ply"), (mesh.write_stl, "a.stl")):
                 write(folder / name)
                 [block] = meshio.read(folder / name).cells
                 self.assertEqual(len(block.data), count, name)
+            faces = meshio.read(folder / "a.vtu")
+            self.assertTrue(np.array_equal(faces.point_data["x & y"], faces.points))
             series = dsc.Series(folder / "run.pvd")
             dsc.run(dsc.Simulation(mesh, edge_length=H), turn, H, 2, after=lambda sim, report: series.add(sim.mesh, sim.time))
             self.assertEqual(len(list(folder.glob("run_*.vtu"))), 2)

@@ -299,7 +299,7 @@ def from_labels(
 def from_meshio(mesh: Any, phases: str | None = None) -> Any: ...
 
 @overload
-def initial_complex(
+def initial_complex(  # type: ignore[misc]  # corners of three coordinates are for the second one
     domain: ArrayLike,
     shapes: Mapping[int, Any] | Any | None = None,
     *,

@@ -65,6 +65,14 @@ def point(value, where, width=2):
     return points([value], where, 1, width)[0].tolist()
 
 
+def length(value, where):
+    """A positive number. Raises InputError."""
+    array = numbers(value, where)
+    if array is None or array.ndim != 0 or not 0 < array < np.inf:
+        refuse("not a length", where, shown(value), "a positive number")
+    return float(array)
+
+
 def whole_numbers(value, where, shape, dimensions):
     """An array of non-negative numbers of 32 bits; of truth values, 0 and 1. Raises InputError."""
     array = numbers(value, where)

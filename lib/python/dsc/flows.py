@@ -121,6 +121,7 @@ def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
     >>> flow = dsc.curvature_flow(tension=tension)
     """
     areas = keep_areas_of or {}
+    arrays.expect_plane(areas, "curvature_flow")
     if isinstance(areas, Mesh):
         areas = {phase: areas._area(phase) for phase in areas.areas if phase != 0}
     tension, tensions = _by_pair(tension, "tension")

@@ -3,13 +3,11 @@
 import pathlib
 import tempfile
 
-import numpy as np
-
 from . import _dsc, arrays, interplay
 from .data import Data
 from .mesh3 import Mesh3
 from .records import Curve, InputReport
-from .shapes3 import shapes_of
+from .shapes3 import is_in_space, shapes_of
 from .state import sealed, unsealed
 
 
@@ -130,15 +128,8 @@ def _curve(value, where):
     return arrays.flat_points(points, where), arrays.phase(left, where), arrays.phase(right, where)
 
 
-def _is_in_space(domain):
-    try:
-        return np.shape(domain) == (2, 3) and domain[0][2] != domain[1][2]
-    except ValueError:  # rows of several lengths
-        return False
-
-
 def initial_complex(domain, shapes=None, *, curves=None, **options):
-    if _is_in_space(domain):
+    if is_in_space(domain, shapes):
         if curves is not None:
             arrays.refuse("curves in a domain in space", "initial_complex", "curves", "shapes")
         return Mesh3._made_of(arrays.points(domain, "domain", 2, 3), shapes_of(shapes), options)

@@ -51,7 +51,7 @@ def ball(centre, radius):
     -------
     Shape3
     """
-    return Shape3("ball", arrays.points([centre], "centre", 1, 3), radius)
+    return Shape3("ball", arrays.points([centre], "centre", 1, 3), arrays.length(radius, "radius"))
 
 
 def box(low, high):
@@ -66,7 +66,11 @@ def box(low, high):
     -------
     Shape3
     """
-    return Shape3("box", arrays.points([low, high], "low, high", 2, 3))
+    corners = arrays.points([low, high], "low, high", 2, 3)
+    if not (corners[0] < corners[1]).all():
+        arrays.refuse("not a box", "box", f"low {corners[0].tolist()}, high {corners[1].tolist()}",
+                      "high beyond low in each coordinate")
+    return Shape3("box", corners)
 
 
 def ellipsoid(centre, radii):
@@ -80,7 +84,8 @@ def ellipsoid(centre, radii):
     -------
     Shape3
     """
-    return Shape3("ellipsoid", arrays.points([centre], "centre", 1, 3), arrays.points([radii], "radii", 1, 3))
+    radii = [[arrays.length(one, "radii") for one in arrays.points([radii], "radii", 1, 3)[0]]]
+    return Shape3("ellipsoid", arrays.points([centre], "centre", 1, 3), radii)
 
 
 def torus(centre, axis, circle_radius, tube_radius):
@@ -96,7 +101,7 @@ def torus(centre, axis, circle_radius, tube_radius):
     Shape3
     """
     return Shape3("torus", arrays.points([centre], "centre", 1, 3), arrays.points([axis], "axis", 1, 3),
-                  circle_radius, tube_radius)
+                  arrays.length(circle_radius, "circle_radius"), arrays.length(tube_radius, "tube_radius"))
 
 
 def closed_surface(points, triangles=None):
@@ -137,7 +142,10 @@ def closed_surface(points, triangles=None):
 def _surface_in(path):
     import meshio
 
-    mesh = meshio.read(path)
+    try:
+        mesh = meshio.read(path)
+    except meshio.ReadError as error:
+        raise _dsc.FileError(f"{path}: cannot be read: {error}") from error
     triangles = [block.data for block in mesh.cells if block.type == "triangle"]
     if not triangles:
         arrays.refuse("no triangles", path, f"{len(mesh.cells)} blocks of other cells", "at least one triangle")
@@ -159,6 +167,23 @@ def _inside(value, where):
     if isinstance(value, dict):
         return {arrays.phase(one, where): arrays.phase(other, where) for one, other in value.items()}
     return arrays.phase(value, where)
+
+
+def is_in_space(domain, shapes):
+    """Whether a first mesh with this domain and these shapes is one in space. Raises InputError."""
+    try:
+        corners = np.asarray(domain, float)
+    except (TypeError, ValueError):  # no array: a polygon with holes, or an object
+        corners = np.empty(0)
+    is_box = corners.shape == (2, 3)
+    if is_box and corners[0, 2] != corners[1, 2]:
+        return True
+    given = shapes.values() if isinstance(shapes, dict) else shapes if isinstance(shapes, (list, tuple)) else [shapes]
+    given = [one for several in given for one in (several if isinstance(several, (list, tuple)) else [several])]
+    if any(isinstance(one, Shape3) for one in given):
+        arrays.refuse("no domain for a shape in space", "domain", arrays.shown(domain),
+                      "the two corners of a box: three coordinates each, of which none is equal")
+    return False
 
 
 def shapes_of(value):

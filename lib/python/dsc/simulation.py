@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Simulations: the compiled part, with reports, flows and pickling."""
+import types
+
 from . import _dsc, arrays
 from .flows import Flow
 from .mesh3 import Mesh3
@@ -24,6 +26,8 @@ Other Parameters
 **options
     For a `Mesh3`, the following ones.
 {_dsc.option3_help}"""
+
+    __class_getitem__ = classmethod(types.GenericAlias)  # Simulation[Mesh3], for annotations
 
     def __init__(self, mesh, flow=None, **options):
         """Starts at time 0. The mesh belongs to the simulation until the simulation is deleted."""
