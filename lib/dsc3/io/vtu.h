@@ -8,8 +8,8 @@
 
 namespace dsc3 {
 
-/// Writes all tets with their phase and quality, and all attributes of numbers and points. The write
-/// is atomic. Throws FileError. O(mesh).
+/// Writes all tets with their phase and quality, and all attributes of numbers and points. The
+/// write is atomic. Throws FileError. O(mesh).
 void write_vtu(const Complex& complex, const std::string& path);
 
 /// Writes the faces of the interface, counter-clockwise as seen from the lower phase, with the
