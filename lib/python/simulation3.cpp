@@ -40,14 +40,15 @@ public:
     // The report of the last step, with the names of dsc/records.py.
     [[nodiscard]] py::dict report() const {
         const dsc3::StepReport& report = still().report();
-        StepReport flat; // for its sentence
-        flat.gave_up = report.gave_up;
+        const bool gave_up = report.gave_up != GiveUp::none; // for one reason
         return py::dict("unreached"_a = report.unreached, "held"_a = report.held,
                         "sub_steps"_a = report.sub_steps,
                         "interface_vertices"_a = report.interface_vertices, "reached"_a = time_,
-                        "gave_up"_a = report.gave_up == GiveUp::none
-                                          ? std::string()
-                                          : std::string(name_in(give_up_names, report.gave_up)),
+                        "gave_up"_a =
+                            gave_up ? std::string(name_in(give_up_names, report.gave_up)) : "",
+                        "reason"_a = gave_up ? "the step needs more than max_sub_steps sub-steps: "
+                                               "the velocity is too large, or jumps"
+                                             : "",
                         "passes"_a = report.passes, "unjammed"_a = report.unjammed,
                         "error"_a = report.error, "operations"_a = counts_of(report.operations));
     }

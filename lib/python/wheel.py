@@ -10,7 +10,7 @@ TAG = f"{PYTHON}-{PYTHON}-" + re.sub("[-.]", "_", sysconfig.get_platform())
 METADATA = f"""Metadata-Version: 2.1
 Name: dsc
 Version: {VERSION}
-Summary: 2D deformable simplicial complexes: interfaces that move, in a triangle mesh that stays valid
+Summary: Deformable simplicial complexes in the plane and in space: interfaces that move, in a mesh that stays valid
 License: MIT
 Requires-Python: >=3.9
 Requires-Dist: numpy

@@ -12,7 +12,7 @@ import unittest
 
 import dsc
 import numpy as np
-from meshes import DOMAIN, disc_mesh, swirl
+from meshes import BOX, DOMAIN, ball_mesh, disc_mesh, swirl, turn
 
 STEPS = 10_000
 H = 0.1
@@ -49,12 +49,37 @@ class Leaks(unittest.TestCase):
                 if k % 1000 == 0:
                     pickle.loads(pickle.dumps(sim)).step(to_and_fro, 0, 0.01)
 
+        self.expect_no_growth(go, STEPS)
+
+    def test_steps_in_space_leave_nothing(self):
+        mesh = ball_mesh(0.2)
+        sim = dsc.Simulation(mesh, edge_length=0.2, threads=2)
+
+        def failing(x, t):
+            raise ValueError("no")
+
+        def go(steps):
+            for k in range(steps):
+                sim.step(lambda x, t: turn(x, t) * np.cos(np.pi * t), 0.1 * k, 0.1)
+                if k % 10 == 0:
+                    mesh.vertex_data["x"] = mesh.points
+                    mesh.interface_faces(), mesh.volumes, mesh.min_dihedrals, mesh.qualities, repr(mesh)
+                    for error, flow in ((ValueError, failing), (dsc.InputError, lambda x, t: None)):
+                        with self.assertRaises(error):
+                            sim.step(flow, 0, 0.1)
+                if k % 100 == 0:
+                    pickle.loads(pickle.dumps(sim)).step(turn, 0, 0.1)
+                    dsc.initial_complex(BOX, {1: lambda x: np.linalg.norm(x - 0.5, axis=1) - 0.3}, edge_length=0.2)
+
+        self.expect_no_growth(go, STEPS // 10)
+
+    def expect_no_growth(self, go, steps):
         tracemalloc.start()
         resident()
-        go(STEPS // 10)  # first, so that imports and caches do not count
+        go(steps // 10)  # first, so that imports and caches do not count
         gc.collect()
         first, rss = tracemalloc.take_snapshot(), resident()
-        go(STEPS)
+        go(steps)
         gc.collect()
         grown = tracemalloc.take_snapshot().compare_to(first, "filename")
         tracemalloc.stop()

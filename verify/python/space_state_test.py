@@ -110,7 +110,8 @@ class AfterAnException(unittest.TestCase):
         sim = dsc.Simulation(ball_mesh(), edge_length=H, max_sub_steps=3)
         reports = dsc.run(sim, lambda x, t: 5 * turn(x, t), 1, 3)
         self.assertEqual([one.gave_up for one in reports], ["too_many_sub_steps"])
-        self.assertLess(sim.time, 1)
+        self.assertRegex(reports[0].reason, "more than max_sub_steps")
+        self.assertEqual(sim.step(turn, sim.time, H).reason, "")
 
 
 class Lifetimes(unittest.TestCase):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""2D deformable simplicial complexes: interfaces that move, in a triangle mesh that stays valid.
+"""Deformable simplicial complexes in the plane and in space: interfaces that move, in a mesh that stays valid.
 
 >>> import dsc
 >>> square = [(0.3, 0.3), (0.7, 0.3), (0.7, 0.7), (0.3, 0.7)]

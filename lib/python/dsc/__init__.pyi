@@ -62,6 +62,7 @@ class Report3(NamedTuple):
     interface_vertices: int
     reached: float
     gave_up: Literal["", "too_many_sub_steps"]
+    reason: str
     passes: int
     unjammed: int
     error: float

@@ -93,7 +93,7 @@ def from_meshio(mesh, phases=None):
     elif phases not in data:
         arrays.refuse("no such cell data", "from_meshio", repr(phases), ", ".join(map(repr, data)) or "none")
     blocks = [(block.type, block.data) if hasattr(block, "type") else block for block in mesh.cells]
-    in_space = any(kind == "tetra" for kind, _ in blocks)
+    in_space = any(kind.startswith("tetra") for kind, _ in blocks)
     wanted, corners, ignored = ("tetra", 4, ("vertex", "line", "triangle", "quad")) if in_space else (
         "triangle", 3, ("vertex", "line"))
     simplices, numbers = [], []

@@ -104,8 +104,8 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
     __slots__ = ()
 
 
-class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices reached gave_up passes unjammed "
-                         "error operations")):
+class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices reached gave_up reason passes "
+                         "unjammed error operations")):
     """The report of a step of a `Mesh3`.
 
     Attributes
@@ -114,6 +114,8 @@ class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices
         As in `Report`.
     gave_up : str
         Empty if the step was completed; `too_many_sub_steps` if the velocity is too large, or jumps.
+    reason : str
+        Why the step gave up, as a sentence; empty if it did not give up.
     passes : int
         Of movement and mesh repair, summed over sub-steps.
     unjammed : int
