@@ -44,4 +44,17 @@ double histogram_distance(const Histogram& a, const Histogram& b) {
     return largest;
 }
 
+double median(const Histogram& histogram) {
+    const double total = std::accumulate(histogram.counts.begin(), histogram.counts.end(), 0.0);
+    require(total > 0, "values in a histogram", 0, "1 or more");
+    double rest = total / 2;
+    std::size_t bin = 0;
+    while (static_cast<double>(histogram.counts[bin]) < rest) {
+        rest -= static_cast<double>(histogram.counts[bin++]);
+    }
+    const double low = histogram.edges[bin];
+    return low +
+           (histogram.edges[bin + 1] - low) * rest / static_cast<double>(histogram.counts[bin]);
+}
+
 } // namespace dsc::scenes

@@ -26,4 +26,8 @@ struct Histogram {
 /// bins differ or one of the histograms is empty.
 [[nodiscard]] double histogram_distance(const Histogram& a, const Histogram& b);
 
+/// The median of the binned values, interpolated linearly in its bin. Throws InputError if the
+/// histogram is empty.
+[[nodiscard]] double median(const Histogram& histogram);
+
 } // namespace dsc::scenes

@@ -11,6 +11,7 @@ namespace dsc::gate {
 
 namespace {
 
+using scenes::Histogram;
 using scenes::RunResult;
 
 // --- figures -------------------------------------------------------------------------------------
@@ -154,6 +155,28 @@ Check of_diagram(const char* name, const char* description, const char* figure) 
             .figure = [figure](const RunResult& r) { return number(r.diagram, figure); }};
 }
 
+// The histogram of a measure over triangles at the end, against the one that the limit stores.
+Check of_histogram(const char* name, const char* description, Histogram RunResult::*histogram,
+                   std::size_t bins) {
+    return {.name = name,
+            .description = description,
+            .group = "histograms",
+            .histogram = histogram,
+            .bins = bins,
+            .stores = Stores::histogram};
+}
+
+// The histogram's median against the one that the limit stores.
+Check of_median(const char* name, const char* description,
+                std::function<double(const RunResult&)> figure, const char* unit = "1") {
+    return {.name = name,
+            .description = description,
+            .group = "histograms",
+            .figure = std::move(figure),
+            .stores = Stores::figure,
+            .unit = unit};
+}
+
 Check of_events(const char* name, const char* description, EventKind kind) {
     return {.name = name,
             .description = description,
@@ -215,6 +238,24 @@ std::vector<Check> table() {
         of_figure("unreached", "vertices that did not arrive", "validity", "unreached"),
         at_least(
             of_figure("min_quality", "worst quality at the end", "quality", "min_quality_last")),
+        of_histogram("area_histogram",
+                     "Kolmogorov-Smirnov distance of the triangles' areas from the stored ones",
+                     &RunResult::area_histogram, RunResult::area_bins),
+        of_histogram("quality_histogram", "the same of their qualities",
+                     &RunResult::quality_histogram, RunResult::quality_bins),
+        of_histogram("angle_histogram", "the same of their smallest angles",
+                     &RunResult::angle_histogram, RunResult::angle_bins),
+        of_median("median_area",
+                  "median of the triangles' areas, over an equilateral triangle's of edge h, off "
+                  "the stored one",
+                  [](const RunResult& r) {
+                      return 3 * median(r.area_histogram) / r.area_histogram.edges.back();
+                  }),
+        of_median("median_quality", "median of their qualities, off the stored one",
+                  [](const RunResult& r) { return median(r.quality_histogram); }),
+        of_median(
+            "median_angle", "median of their smallest angles, off the stored one",
+            [](const RunResult& r) { return median(r.angle_histogram); }, "degrees"),
         of_runs(reference, "reference_area", "area ratio, library against reference", "area",
                 area_difference),
         of_runs(reference, "reference_area_histogram", area_histogram, "histograms", area_distance),

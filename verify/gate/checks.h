@@ -34,6 +34,13 @@ enum class Culprit : std::uint8_t {
     first_failure,   ///< the triangle that is inverted, at the first step that has one
 };
 
+/// What a limit stores for a check to compare the run with.
+enum class Stores : std::uint8_t {
+    nothing,
+    figure,    ///< `around`: the median figure of the orders
+    histogram, ///< `histogram`: the sum of those of the orders
+};
+
 /// The group of checks for scenes in three dimensions.
 inline constexpr const char* in_space = "space";
 
@@ -46,6 +53,9 @@ struct Check {
     Of of = Of::sequential;
     std::function<double(const Result&)> figure{};
     std::function<double(const Result& one, const Result& base)> difference{};
+    scenes::Histogram Result::*histogram = nullptr; ///< in place of a figure; has `bins`
+    std::size_t bins = 0;
+    Stores stores = Stores::nothing;
     std::vector<std::string> figures{}; ///< figures of result files that the check needs
     Culprit culprit = Culprit::none;
     std::string unit = "1"; ///< "1" for a ratio
@@ -96,8 +106,9 @@ private:
 /// The result of a run that completed all steps. Throws GaveUp, or the exception of the run.
 [[nodiscard]] const scenes::RunResult& finished(const Outcome& outcome);
 
-/// Computes the figure of a check from its runs, which are those of `configurations_of`. Throws as
-/// `finished`.
-[[nodiscard]] Measured measure(const Check& check, std::span<const Outcome* const> outcomes);
+/// Computes the figure of a check from its runs, which are those of `configurations_of`; if the
+/// limit has a figure or histogram to compare with, the difference from that. Throws as `finished`.
+[[nodiscard]] Measured measure(const Check& check, const Limit& limit,
+                               std::span<const Outcome* const> outcomes);
 
 } // namespace dsc::gate

@@ -61,10 +61,7 @@ Row judge(const Task& task, std::span<const Outcome* const> outcomes, std::optio
     Row row{.of = task.of, .check = task.held->check.get(), .limit = task.held->limit};
     const bool at_least = row.check->at_least;
     try {
-        Measured measured = measure(*row.check, outcomes);
-        if (row.limit.around) {
-            measured.value = std::abs(measured.value - *row.limit.around);
-        }
+        const Measured measured = measure(*row.check, row.limit, outcomes);
         row.measured = measured.value;
         row.run = measured.run;
         // Written so that NaN fails.

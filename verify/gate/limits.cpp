@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace dsc::gate {
 
@@ -74,7 +75,9 @@ const Rule& find_rule(const std::string& name) {
 }
 
 std::string Limit::reason() const {
-    std::string text = rule + (around ? ", off " + few_digits(*around, 5) : "");
+    std::string text = rule + (around              ? ", off " + few_digits(*around, 5)
+                               : histogram.empty() ? ""
+                                                   : ", off the stored histogram");
     if (measured) {
         text += (orders > 0 ? "; in " + std::to_string(orders) + " orders " : "; measured ") +
                 few_digits(*measured, 3);
@@ -99,7 +102,8 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     const TableReader common =
         defaults && defaults->has(check.name) ? defaults->table(check.name) : nothing;
     for (const TableReader& one : {own, common}) {
-        one.allow({"at_most", "at_least", "around", "measured", "rule", "orders", "note", "at"});
+        one.allow({"at_most", "at_least", "around", "histogram", "measured", "rule", "orders",
+                   "note", "at"});
     }
     const scenes::CaseReader reader(common, &own);
     const auto number = [&](const std::string& key) {
@@ -120,6 +124,26 @@ Limit read_limit(const TableReader& limits, const std::optional<TableReader>& de
     }
     limit.value = table ? *number(wanted) : limits.number(check.name, any);
     limit.around = number("around");
+    if (check.stores == Stores::figure && !limit.around) {
+        limits.refuse(check.name, "the stored figure is missing", "around = a number");
+    }
+    if (check.stores == Stores::histogram) {
+        const auto wrong = [&] {
+            limits.refuse(check.name, "the stored histogram is missing or has other bins",
+                          "histogram = " + std::to_string(check.bins) + " counts");
+        };
+        if (!table || !reader.has("histogram")) {
+            wrong();
+        }
+        for (const int count :
+             reader.of("histogram").integers("histogram", 0, std::numeric_limits<int>::max())) {
+            limit.histogram.push_back(static_cast<std::uint64_t>(count));
+        }
+        if (limit.histogram.size() != check.bins ||
+            std::ranges::all_of(limit.histogram, [](std::uint64_t count) { return count == 0; })) {
+            wrong();
+        }
+    }
     limit.measured = number("measured");
     limit.orders = reader.has("orders") ? reader.of("orders").integer("orders", 0, 10'000) : 0;
     limit.rule = text("rule", limit.rule);

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dsc::gate {
 
@@ -25,7 +26,8 @@ struct Rule {
 
 struct Limit {
     double value = 0;
-    std::optional<double> around{};   ///< a published figure: the difference from it is limited
+    std::optional<double> around{};         ///< the difference from this figure is limited
+    std::vector<std::uint64_t> histogram{}; ///< the distance from this one is limited
     std::optional<double> measured{}; ///< figure of the run, or the worst of `orders` shuffled runs
     std::string rule = "required";
     int orders = 0; ///< number of orders of the interface measured; 0: only the scene's own
@@ -48,9 +50,9 @@ struct Limit {
 inline constexpr double rounding_error = 1e-12;
 
 /// Reads the limit under the check's name: a number, or a table of `at_most` or `at_least`,
-/// `around`, `measured`, `rule`, `orders`, `note` and `at`. Missing entries are taken from the
-/// table of the same name in `defaults`. Throws InputError, also for a limit that does not follow
-/// its rule.
+/// `around`, `histogram`, `measured`, `rule`, `orders`, `note` and `at`. Missing entries are taken
+/// from the table of the same name in `defaults`. Throws InputError, also for a limit that does not
+/// follow its rule.
 [[nodiscard]] Limit read_limit(const scenes::TableReader& limits,
                                const std::optional<scenes::TableReader>& defaults,
                                const Check& check);

@@ -264,7 +264,11 @@ int write_proposal(const Proposal& proposal) {
     const std::string text = text_of(proposal, is_of_suite);
     const std::string path = proposal.update ? proposal.what : proposal.out;
     const Cases cases = read_suite_text(text, is_of_suite ? proposal.what : path, false);
-    const std::vector<Band> bands = propose(cases, proposal.orders, proposal.jobs);
+    const std::vector<Wanted> wanted = limits_to_measure(cases, proposal.orders);
+    if (!path.empty()) {
+        check_writable(wanted, path);
+    }
+    const std::vector<Band> bands = propose(wanted, proposal.jobs);
     print_bands(std::cout, bands);
     if (path.empty()) {
         std::cout << "nothing was written: give --update or --out FILE\n";

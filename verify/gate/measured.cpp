@@ -11,6 +11,7 @@ namespace dsc::gate {
 
 namespace {
 
+using scenes::Histogram;
 using scenes::RunResult;
 using scenes::Strategy;
 
@@ -72,6 +73,26 @@ Measured mean_difference(const Check& check, std::span<const Outcome* const> out
         sum += check.difference(finished(*outcomes[i]), finished(*outcomes[i + 1]));
     }
     return {2 * sum / static_cast<double>(outcomes.size()), outcomes.front()->configuration};
+}
+
+Measured figure_of(const Check& check, const Limit& limit,
+                   std::span<const Outcome* const> outcomes) {
+    const Outcome& base = *outcomes.front();
+    const auto difference = [&](const RunResult& r) { return check.difference(r, finished(base)); };
+    switch (check.of) {
+    case Of::sequential:
+        if (check.histogram != nullptr) {
+            const Histogram& own = finished(base).*check.histogram;
+            return {histogram_distance(own, {own.edges, limit.histogram}), base.configuration};
+        }
+        return {check.figure(finished(base)), base.configuration};
+    case Of::worst_parallel: return worst(outcomes, 0, check.at_least, check.figure);
+    case Of::all_parallel: return sum_of(check, outcomes);
+    case Of::difference: return worst(outcomes, 1, false, difference);
+    case Of::reference: return mean_difference(check, outcomes);
+    case Of::threads: return distinct_results(outcomes);
+    }
+    return {};
 }
 
 } // namespace
@@ -142,18 +163,12 @@ const RunResult& finished(const Outcome& outcome) {
     return outcome.result;
 }
 
-Measured measure(const Check& check, std::span<const Outcome* const> outcomes) {
-    const Outcome& base = *outcomes.front();
-    const auto difference = [&](const RunResult& r) { return check.difference(r, finished(base)); };
-    switch (check.of) {
-    case Of::sequential: return {check.figure(finished(base)), base.configuration};
-    case Of::worst_parallel: return worst(outcomes, 0, check.at_least, check.figure);
-    case Of::all_parallel: return sum_of(check, outcomes);
-    case Of::difference: return worst(outcomes, 1, false, difference);
-    case Of::reference: return mean_difference(check, outcomes);
-    case Of::threads: return distinct_results(outcomes);
+Measured measure(const Check& check, const Limit& limit, std::span<const Outcome* const> outcomes) {
+    Measured measured = figure_of(check, limit, outcomes);
+    if (limit.around) {
+        measured.value = std::abs(measured.value - *limit.around);
     }
-    return {};
+    return measured;
 }
 
 } // namespace dsc::gate

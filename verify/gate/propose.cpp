@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <iterator>
 #include <string_view>
 
@@ -23,6 +24,9 @@ constexpr std::string_view of_any_scene[]{"area_ratio",         "symmetric_diffe
                                           "parallel_events",    "parallel_area_histogram",
                                           "parallel_unreached", "parallel_quality_histogram",
                                           "parallel_min_angle", "parallel_min_quality",
+                                          "area_histogram",     "quality_histogram",
+                                          "angle_histogram",    "median_area",
+                                          "median_quality",     "median_angle",
                                           "mesh_hash"};
 
 std::string here_and_now() {
@@ -109,15 +113,38 @@ std::vector<Configuration> in_orders(const Held& held, const Case& of) {
     return all;
 }
 
+double median_of(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+// Measures what the limit stores.
+void store(Held& held, const std::vector<const Outcome*>& outcomes) {
+    const Check& check = *held.check;
+    if (check.stores == Stores::figure) {
+        std::vector<double> values;
+        std::ranges::transform(outcomes, std::back_inserter(values),
+                               [&](const Outcome* one) { return check.figure(finished(*one)); });
+        held.limit.around = std::stod(few_digits(median_of(std::move(values))));
+    } else if (check.stores == Stores::histogram) {
+        held.limit.histogram.assign(check.bins, 0);
+        for (const Outcome* one : outcomes) {
+            std::ranges::transform((finished(*one).*check.histogram).counts, held.limit.histogram,
+                                   held.limit.histogram.begin(), std::plus{});
+        }
+    }
+}
+
 std::vector<double> values_of(const Held& held, const std::vector<const Outcome*>& outcomes) {
     const Check& check = *held.check;
     std::vector<double> values;
     if (held.limit.orders == 0) {
-        return {measure(check, outcomes).value};
+        return {measure(check, held.limit, outcomes).value};
     }
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
-        if (check.figure) {
-            values.push_back(check.figure(finished(*outcomes[i])));
+        if (check.of != Of::difference) {
+            values.push_back(measure(check, held.limit, std::span(outcomes).subspan(i, 1)).value);
         }
         for (std::size_t j = 0; check.of == Of::difference && j < i; ++j) {
             const auto& a = finished(*outcomes[i]);
@@ -153,14 +180,12 @@ Band band_of(const Case& of, const Held& held, std::vector<double> values) {
                                  std::to_string(std::max(held.limit.orders, 1)) + " orders");
         }
     }
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
+    const auto [min, max] = std::ranges::minmax(values);
     Band band{.of = &of,
               .check = held.check,
-              .median =
-                  values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2,
-              .min = values.front(),
-              .max = values.back(),
+              .median = median_of(std::move(values)),
+              .min = min,
+              .max = max,
               .limit = held.limit};
     set_limit(*held.check, held.check->at_least ? band.min : band.max, band.limit);
     return band;
@@ -175,25 +200,33 @@ bool is_of_no_event(const Held& held, const std::vector<const Outcome*>& outcome
 
 } // namespace
 
-std::vector<Band> propose(const Cases& cases, int orders, int jobs) {
-    std::vector<std::pair<const Case*, Held>> all;
-    std::vector<Configuration> configurations;
+std::vector<Wanted> limits_to_measure(const Cases& cases, int orders) {
+    std::vector<Wanted> all;
     for (const auto& c : cases) {
         for (Held& held : wanted(*c, orders)) {
-            if (held.limit.orders > 0) {
+            // What is stored differs from itself only in other orders.
+            if (held.limit.orders > 0 || held.check->stores != Stores::nothing) {
                 held.limit.orders = orders;
             }
-            std::ranges::move(in_orders(held, *c), std::back_inserter(configurations));
-            all.emplace_back(c.get(), std::move(held));
+            all.push_back({c.get(), std::move(held)});
         }
+    }
+    return all;
+}
+
+std::vector<Band> propose(const std::vector<Wanted>& limits, int jobs) {
+    std::vector<Configuration> configurations;
+    for (const auto& [of, held] : limits) {
+        std::ranges::move(in_orders(held, *of), std::back_inserter(configurations));
     }
     Runs runs(configurations, jobs);
     std::vector<Band> bands;
-    for (const auto& [of, held] : all) {
+    for (auto [of, held] : limits) {
         std::vector<const Outcome*> outcomes;
         for (const Configuration& one : in_orders(held, *of)) {
             outcomes.push_back(&runs.wait(one));
         }
+        store(held, outcomes);
         if (!is_of_no_event(held, outcomes)) {
             bands.push_back(band_of(*of, held, values_of(held, outcomes)));
         }

@@ -19,10 +19,19 @@ struct Band {
     Limit limit{}; ///< the proposed limit
 };
 
-/// Measures the cases' own limits and the missing ones; a case without limits gets all that are
-/// possible for its scene. Each is measured in `orders` orders: the scene's own and shuffled ones.
-/// Limits of the rule "required" are not changed. Throws InvariantError for a run that gives up or
-/// has a figure that is not a number.
-[[nodiscard]] std::vector<Band> propose(const Cases& cases, int orders, int jobs);
+/// A limit to be measured, and its case, which must outlive it.
+struct Wanted {
+    const Case* of = nullptr;
+    Held held;
+};
+
+/// The cases' own limits and the missing ones; a case without limits gets all that are possible for
+/// its scene. Each is measured in `orders` orders: the scene's own and shuffled ones.
+[[nodiscard]] std::vector<Wanted> limits_to_measure(const Cases& cases, int orders);
+
+/// Measures them. What a limit stores is measured as well: the median figure, or the sum of the
+/// histograms, over all orders. Limits of the rule "required" are not changed. Throws
+/// InvariantError for a run that gives up or has a figure that is not a number.
+[[nodiscard]] std::vector<Band> propose(const std::vector<Wanted>& limits, int jobs);
 
 } // namespace dsc::gate

@@ -17,20 +17,23 @@
 //     h = 0.01                    # the edge length; default: the scene's own; a list makes a case
 //                                 # for each, called "mine h:0.01"
 //     set = { insertion = "linear" }           # keys of `dsc_scene run --set`
-//     starts = 4                  # number of starts averaged by checks of the reference (default
-//     1) strategies = ["cells"]      # compared with `sequential`; default: all parallel ones
+//     starts = 4                  # number averaged by checks of the reference (default 1)
+//     strategies = ["cells"]      # compared with `sequential`; default: all parallel ones
 //     threads = [1, 2]            # of these; default: 2, and for mesh_hash 1, 2, 3 and 5
 //
 //     [case.limits]
 //     area_ratio = 5e-4           # at most, or for qualities and angles at least; or
 //     min_quality = { at_least = 0.26, measured = 0.3, rule = "a tenth below", orders = 51 }
 //     fluid_centre = { around = 1.0819, at_most = 5e-4 }    # a published figure; its error
+//     median_quality = { at_most = 0.01, measured = 0.006, around = 0.87, orders = 51 }
+//     quality_histogram = { at_most = 0.03, measured = 0.02, orders = 51, histogram = [0, 1, ...] }
 //
 // The rules: "required" (the default), "half as much again", "a tenth above", "a tenth below",
 // "less 15 %", and "kept" from a better measurement. A limit whose ratio to `measured` does not
 // follow its rule is refused. `orders` is the number of shuffled orders of the interface, of which
 // `measured` is the worst; `note` is a comment; `at` is the commit, date and machine of the
-// measurement. `dsc_verify propose --update` writes all but the note.
+// measurement. A stored histogram is the sum over these orders, and a stored median the median of
+// them. `dsc_verify propose --update` writes all but the note.
 #pragma once
 
 #include "checks.h"

@@ -32,6 +32,8 @@ std::size_t byte_at(const std::string& text, const toml::source_position& place)
     return byte;
 }
 
+constexpr std::size_t counts_per_line = 10;
+
 // Entries that equal those of `known`, the suite's defaults of the check, are left out.
 std::string limit_text(const Band& band, const toml::table* known) {
     const Limit& limit = band.limit;
@@ -48,6 +50,17 @@ std::string limit_text(const Band& band, const toml::table* known) {
     };
     text << (band.check->at_least ? "{ at_least = " : "{ at_most = ") << to_text(limit.value)
          << ", measured = " << few_digits(*limit.measured, 3);
+    if (limit.around) {
+        text << ", around = " << to_text(*limit.around);
+    }
+    if (!limit.histogram.empty()) {
+        text << ", histogram = [";
+        for (std::size_t i = 0; i < limit.histogram.size(); ++i) {
+            text << (i == 0 ? "" : ",") << (i % counts_per_line == 0 ? "\n    " : " ")
+                 << limit.histogram[i];
+        }
+        text << ']';
+    }
     if (limit.rule != "required") {
         add("rule", limit.rule);
     }
@@ -89,19 +102,24 @@ Edit edit_of(const std::string& text, const toml::table& suite, const Band& band
 
 } // namespace
 
+void check_writable(const std::vector<Wanted>& limits, const std::filesystem::path& path) {
+    for (const Wanted& one : limits) {
+        if (!one.of->table) {
+            throw InputError(
+                {.what = "the [[case]] has several scenes or sizes",
+                 .where = path.string(),
+                 .value = "'" + one.of->name + "'",
+                 .allowed = "one [[case]] for each scene and size whose limits are written"});
+        }
+    }
+}
+
 std::string with_limits(const std::string& text, const std::filesystem::path& path,
                         const std::vector<Band>& bands) {
     std::string result = text.ends_with('\n') ? text : text + '\n';
     const toml::table suite = scenes::parse_toml(result, path);
     std::vector<Edit> edits;
     for (const Band& band : bands) {
-        if (!band.of->table) {
-            throw InputError(
-                {.what = "the [[case]] has several scenes or sizes",
-                 .where = path.string(),
-                 .value = "'" + band.of->name + "'",
-                 .allowed = "one [[case]] for each scene and size whose limits are written"});
-        }
         edits.push_back(edit_of(result, suite, band));
     }
     // Edits are applied from the end backwards, so that earlier offsets stay valid.

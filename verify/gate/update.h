@@ -10,8 +10,11 @@
 
 namespace dsc::gate {
 
-/// The text of a suite with these limits. Throws InputError if a case shares its [[case]] with
-/// another, and if the new text is not a suite.
+/// Throws InputError if one of the cases shares its [[case]] with another.
+void check_writable(const std::vector<Wanted>& limits, const std::filesystem::path& path);
+
+/// The text of a suite with these limits, of cases that have their own [[case]]. Throws InputError
+/// if the new text is not a suite.
 [[nodiscard]] std::string with_limits(const std::string& text, const std::filesystem::path& path,
                                       const std::vector<Band>& bands);
 

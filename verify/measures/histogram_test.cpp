@@ -33,5 +33,15 @@ TEST(Histograms, DistanceIsTheLargestDifferenceOfDistributions) {
     EXPECT_THROW((void)histogram_distance(h({0, 0}), h({1, 2})), InputError);
 }
 
+TEST(Histograms, MedianIsInterpolatedInItsBin) {
+    const auto median_of = [](std::vector<std::uint64_t> counts) {
+        return median({make_histogram({}, 0, 4, counts.size()).edges, counts});
+    };
+    EXPECT_DOUBLE_EQ(median_of({0, 4, 0, 0}), 1.5);
+    EXPECT_DOUBLE_EQ(median_of({2, 0, 1, 1}), 1);
+    EXPECT_DOUBLE_EQ(median_of({1, 0, 0, 4}), 3.375);
+    EXPECT_THROW((void)median_of({0, 0}), InputError);
+}
+
 } // namespace
 } // namespace dsc::histogram_test

@@ -194,7 +194,7 @@ class Refused(OwnScenes):
 
 class Proposed(OwnScenes):
     NAMES = ("area_ratio", "symmetric_difference", "inverted", "min_quality",
-             "parallel_area_histogram", "mesh_hash")
+             "parallel_area_histogram", "quality_histogram", "median_quality", "mesh_hash")
 
     def propose(self, *arguments):
         return self.call("propose", self.scene(MINE), "--orders", "4", *arguments)
@@ -212,7 +212,7 @@ class Proposed(OwnScenes):
             self.assertIn(name, done.stdout)
         for key in ("rule = ", "orders = 4", "at = "):
             self.assertIn(key, text)
-        done = self.call("run", "l.toml", "--only", "symmetric_difference,quality,validity",
+        done = self.call("run", "l.toml", "--only", "symmetric_difference,quality,validity,histograms",
                          "--out", "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
@@ -256,7 +256,8 @@ class Proposed(OwnScenes):
         shared = self.write("l.toml", "[[case]]\nscene = 'mine.toml'\nh = [0.05, 0.06]\n"
                             "limits.inverted = 0\n"
                             "limits.unreached = { at_most = 2, measured = 1 }\n")
-        self.expect_refusal("propose", shared, "--orders", "2", "--update",
+        # Refused before it runs: 10,000 orders would take longer than a call may.
+        self.expect_refusal("propose", shared, "--orders", "10000", "--update",
                             words=["l.toml", "'mine h:0.05'", "[[case]] for each"])
 
 

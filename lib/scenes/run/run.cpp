@@ -308,12 +308,12 @@ private:
             }
             return make_histogram(values, 0, high, bins);
         };
-        result_.area_histogram = histogram(3 * std::sqrt(3.0) / 4 * h * h, 60,
+        result_.area_histogram = histogram(3 * std::sqrt(3.0) / 4 * h * h, RunResult::area_bins,
                                            [&](Triangle t) { return area(complex(), t); });
-        result_.quality_histogram =
-            histogram(1, 50, [&](Triangle t) { return quality(complex(), t); });
-        result_.angle_histogram =
-            histogram(60, 60, [&](Triangle t) { return min_angle_deg(complex(), t); });
+        result_.quality_histogram = histogram(1, RunResult::quality_bins,
+                                              [&](Triangle t) { return quality(complex(), t); });
+        result_.angle_histogram = histogram(
+            60, RunResult::angle_bins, [&](Triangle t) { return min_angle_deg(complex(), t); });
         if (!step_us.empty()) {
             result_.first_step_us = step_us.front();
             const auto half = step_us.begin() + static_cast<std::ptrdiff_t>(step_us.size() / 2);

@@ -93,6 +93,10 @@ struct RunResult {
     Histogram quality_histogram; ///< over 0 to 1
     Histogram angle_histogram;   ///< over 0 to 60 degrees
 
+    static constexpr std::size_t area_bins = 60;
+    static constexpr std::size_t quality_bins = 50;
+    static constexpr std::size_t angle_bins = 60;
+
     /// Whether no triangle was inverted, all vertices arrived, and no step gave up.
     [[nodiscard]] bool holds() const { return inverted == 0 && unreached == 0 && gave_up.empty(); }
 };
