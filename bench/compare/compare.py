@@ -29,10 +29,10 @@ def told(name, columns, verdict):
     return f"{name:34} {columns}{loud}"
 
 
-def judge_counts(programs, selected):
+def judge_counts(sides, selected):
     """(line, row of compare.json) for each count."""
     for workload in selected:
-        base, new, what = counting.of_both(programs, workload)
+        base, new, what = counting.of_both(sides, workload)
         ratio, is_slower = judgement.more_instructions(base, new)
         more, are_more = judgement.more_allocations(base, new)
         for figure, value, columns, slower in (
@@ -91,18 +91,18 @@ def parse_arguments():
     return arguments
 
 
-def measure(programs, arguments):
+def measure(sides, arguments):
     """{workload: Pairs}; the times themselves go to base.json and new.json."""
-    def one(program, scene):
-        return timing.run(program, scene)[0]
+    def one(side, scene):
+        return timing.run(side, scene)[0]
 
     found = timing.measure(
-        {w.name: tuple(functools.partial(one, program, w.timed) for program in programs)
+        {w.name: tuple(functools.partial(one, side, w.timed) for side in sides)
          for w in arguments.selected},
         arguments.pairs, 60 * arguments.minutes, lambda text: print(text, file=sys.stderr))
     for which, name in enumerate(("base", "new")):
         benchmark_json.write(
-            os.path.join(arguments.out, name + ".json"), programs[which],
+            os.path.join(arguments.out, name + ".json"), sides[which].program,
             {f"{workload}/{figure}": [pair[which] for pair in times]
              for workload, pairs in sorted(found.items())
              for figure, times in sorted(pairs.times.items())},
@@ -127,7 +127,7 @@ def summary(rows, seconds):
 
 def main():
     arguments = parse_arguments()
-    programs = (arguments.base, arguments.new)
+    sides = (timing.Side(arguments.base), timing.Side(arguments.new))
     os.makedirs(arguments.out, exist_ok=True)
     rows = []
     begin = time.monotonic()
@@ -141,13 +141,13 @@ def main():
         if callgrind.is_installed():
             print("counts of steps: new / base, and the two")
             try:
-                show(judge_counts(programs, arguments.selected))
+                show(judge_counts(sides, arguments.selected))
             except callgrind.NotCounted as error:
                 print(f"not counted: {error}")
         else:
             print("instructions are not counted: valgrind is not installed")
     if not arguments.no_times:
-        found = measure(programs, arguments)
+        found = measure(sides, arguments)
         print(f"times, new / base: median of the pairs' ratios and its interval "
               f"({100 * judgement.CONFIDENCE:g} %), pairs")
         show(judge_times(found))
@@ -158,7 +158,7 @@ def main():
     text, code = summary(rows, seconds)
     print(text)
     benchmark_json.replace(os.path.join(arguments.out, "compare.json"),
-                           {"base": programs[0], "new": programs[1], "seconds": seconds,
+                           {"base": arguments.base, "new": arguments.new, "seconds": seconds,
                             "code": code, "figures": rows})
     return code
 

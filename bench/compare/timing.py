@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs two programs in pairs, as many as the judgement needs."""
+import contextlib
 import json
 import os
 import random
@@ -7,10 +8,21 @@ import resource
 import subprocess
 import tempfile
 import time
+from dataclasses import dataclass
 
 import judgement
 
 AT_ONCE = 5  # pairs between two judgements
+
+
+@dataclass(frozen=True)
+class Side:
+    """One of the two that are compared: a program, and the options that its runs get."""
+    program: str
+    settings: tuple = ()
+
+    def command(self, scene):
+        return [self.program, "run", scene, *self.settings] if scene else [self.program]
 
 
 def environment():
@@ -27,22 +39,37 @@ def timed(command, allowed=(0,)):
     return (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime) * 1e6
 
 
-def run(program, scene):
-    """One run of the text of a scene file, or of a program without arguments if there is no text:
-    microseconds of CPU time of the run and of a step (mean), of wall time of a step (median), and the
-    number of steps."""
-    if not scene:
-        return {"whole run, CPU": timed([program])}, 1
+@contextlib.contextmanager
+def named(scene):
+    """The name by which a program finds a scene: its own, or that of a file with its text."""
+    if "\n" not in scene:
+        yield scene
+        return
     with tempfile.TemporaryDirectory() as folder:
-        path, out = os.path.join(folder, "scene.toml"), os.path.join(folder, "result.json")
+        path = os.path.join(folder, "scene.toml")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(scene)
+        yield path
+
+
+def result_of(side, scene):
+    """One run of a scene, or of the text of a scene file: microseconds of CPU time, and its result."""
+    with named(scene) as path, tempfile.TemporaryDirectory() as folder:
+        out = os.path.join(folder, "result.json")
         # Exit code 1 means that the run broke an invariant, which other tests check.
-        cpu = timed([program, "run", path, "--json", out], allowed=(0, 1))
+        cpu = timed([*side.command(path), "--json", out], allowed=(0, 1))
         if not os.path.exists(out):
-            raise RuntimeError(f"{program} has written no result")
+            raise RuntimeError(f"{side.program} has written no result")
         with open(out, encoding="utf-8") as stream:
-            result = json.load(stream)
+            return cpu, json.load(stream)
+
+
+def run(side, scene):
+    """One run, of a program without arguments if there is no scene: microseconds of CPU time of the run
+    and of a step (mean), of wall time of a step (median), and the number of steps."""
+    if not scene:
+        return {"whole run, CPU": timed(side.command(scene))}, 1
+    cpu, result = result_of(side, scene)
     return {"whole run, CPU": cpu,
             "steps, CPU": result["cpu_s"] * 1e6 / max(result["steps"], 1),
             "step, median": result["step_us_median"]}, result["steps"]
