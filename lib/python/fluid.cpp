@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -50,6 +51,23 @@ public:
     [[nodiscard]] std::pair<double, double> mean_velocity(Phase phase) const {
         const Point<double> mean = dsc::mean_velocity(fluid_.field(), phase);
         return {mean.x(), mean.y()};
+    }
+
+    [[nodiscard]] py::bytes state() {
+        (void)mesh_->complex(); // refused while a step runs
+        Archive archive;
+        bool is_of_mesh = mesh_->revision() == revision_;
+        archive(is_of_mesh);
+        fluid_.archive(archive);
+        return archive.bytes();
+    }
+    void restore(const std::string& bytes) {
+        Archive archive(bytes, "fluid");
+        bool is_of_mesh = false;
+        archive(is_of_mesh);
+        fluid_.archive(archive);
+        archive.expect_end();
+        revision_ = mesh_->revision() - (is_of_mesh ? 0 : 1);
     }
 
 private:
@@ -101,6 +119,8 @@ void add_fluid(py::module_& module) {
             "phases: (m, 3); 0 before the first step with inertia.")
         .def_property_readonly("energies", &FlowingFluid::energies,
                                "The energies: a dict of `kinetic`, `potential` and `surface`.")
+        .def("_state", &FlowingFluid::state)
+        .def("_restore", &FlowingFluid::restore)
         .def("mean_velocity", &FlowingFluid::mean_velocity, "phase"_a,
              "The mean velocity of a phase: (x, y).");
 }

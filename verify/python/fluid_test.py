@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Fluids, and result files."""
+import copy
 import json
 import pathlib
+import pickle
 import tempfile
 import unittest
 
@@ -37,6 +39,34 @@ class Fluids(unittest.TestCase):
         self.assertEqual(fluid.pressures.shape, sim.mesh.triangles.shape)
         self.assertGreater(fluid.pressures[inside].mean(), 24.5 / 0.25 / 2)  # Laplace's, and more
         self.assertGreater(fluid.energies["kinetic"], 0)
+
+    def test_a_copy_continues_bitwise_identically(self):
+        sim, fluid = bubble(tolerance=0.01)
+        for _ in range(3):
+            fluid.step(0.02)
+        copies = [copy.copy(fluid), copy.deepcopy(fluid), pickle.loads(pickle.dumps(fluid))]
+        with tempfile.TemporaryDirectory() as folder:
+            dsc.save(pathlib.Path(folder) / "fluid", fluid)
+            copies.append(dsc.load(pathlib.Path(folder) / "fluid"))
+        before = fluid.velocities
+        fluid.step(0.02)
+        for one in copies:
+            self.assertIsNot(one.simulation.mesh, sim.mesh)
+            np.testing.assert_array_equal(one.velocities, before)
+            one.step(0.02)
+            self.assertEqual((one.time, one.simulation.mesh.mesh_hash), (fluid.time, sim.mesh.mesh_hash))
+            np.testing.assert_array_equal(one.velocities, fluid.velocities)
+            np.testing.assert_array_equal(one.pressures, fluid.pressures)
+
+    def test_a_copy_has_no_flow_in_a_mesh_that_has_changed(self):
+        sim, fluid = bubble()
+        fluid.step(0.01)
+        sim.step(lambda points, time: 0 * points, 0, 0.01)
+        with self.assertRaisesRegex(RuntimeError, "the mesh has changed"):
+            copy.copy(fluid).velocities
+        _, (_, state) = fluid.__reduce__()
+        with self.assertRaises(dsc.FileError):
+            dsc.fluid._fluid_from(sim, state[:-1])
 
     def test_threads_and_a_tolerance(self):
         hashes = set()

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Incompressible flow."""
+import copy
+
 from . import _dsc, arrays
+from .state import sealed, unsealed
 
 SIDES = ("left", "right", "bottom", "top", "other")
 
@@ -45,6 +48,23 @@ class Fluid(_dsc.Fluid):
         super().__init__(sim.mesh, properties, pairs, arrays.point(gravity, "gravity"),
                          [side in slip for side in SIDES], inertia, tolerance, threads)
         self._sim = sim
+        self._options = dict(phases=dict(phases), tensions=dict(tensions), gravity=gravity, slip=tuple(slip),
+                             inertia=inertia, tolerance=tolerance, threads=threads)
+
+    @property
+    def simulation(self):
+        """The simulation whose interface the fluid moves."""
+        return self._sim
+
+    def __repr__(self):
+        return f"<dsc.Fluid: {len(self._options['phases'])} phases, time {self.time:.6g}>"
+
+    def __reduce__(self):
+        return _fluid_from, (self._sim, sealed(self._options, self._state()))
+
+    def __copy__(self):
+        make, (sim, state) = self.__reduce__()
+        return make(copy.copy(sim), state)  # a copy moves a mesh of its own
 
     def step(self, dt):
         """Advances by dt; with a tolerance, in as many steps as needed.
@@ -60,3 +80,10 @@ class Fluid(_dsc.Fluid):
         """
         self._sim._compiled.step(self, self.time, dt)
         return self._sim.report
+
+
+def _fluid_from(sim, state):
+    options, inner = unsealed(state, "fluid")
+    fluid = Fluid(sim, **options)
+    fluid._restore(inner)
+    return fluid
