@@ -3,15 +3,30 @@
 import ast
 import doctest
 import inspect
+import os
 import pathlib
 import re
 import runpy
+import shutil
+import subprocess
 import tempfile
 import unittest
 
 import dsc
 import numpy as np
 from meshes import H, ball_mesh, disc_mesh
+
+# A program of a user, with one error.
+TYPED = """import dsc
+mesh = dsc.initial_complex(((0, 0), (1, 1)), {1: [(0.3, 0.3), (0.7, 0.3), (0.5, 0.7)]}, edge_length=0.1)
+sim = dsc.Simulation(mesh, edge_length=0.1, integrator="rk4")
+report: dsc.Report = sim.step(dsc.curvature_flow(), 0, 1e-3)
+fluid = dsc.Fluid(sim, {0: (1, 1), 1: None}, {(0, 1): 1.0}, slip={"left", "right"})
+fluid.simulation.mesh.vertex_data["heat"] = [0.0] * len(mesh.points)
+area: float = dsc.scenes.run("swirl", h=0.1)["area_ratio"]
+rows = dsc.bench.read("folder")
+dsc.Simulation(mesh, edge_length=0.1, topology="changes")
+"""
 
 STUBS = pathlib.Path(dsc.__file__).with_name("__init__.pyi")
 
@@ -141,9 +156,38 @@ class Stubs(unittest.TestCase):
         for name, thing in found.items():
             first = getattr(dsc, name.split(".")[0])
             if inspect.isclass(thing) or inspect.ismodule(first) or first.__module__ == "dsc.records":
-                continue  # classes are checked by member, records by field; modules have no stub
+                continue  # classes are checked by member, records by field; modules have stubs of their own
             if not issubclass(first if inspect.isclass(first) else object, (Exception, dsc.Data)):
                 self.assertIn(name, stubs)
+
+    def test_choices_are_those_that_the_module_allows(self):
+        text = STUBS.read_text(encoding="utf-8")
+        choices = {name: set(re.findall(r'"(\w+)"', words))
+                   for name, words in re.findall(r"^ +(\w+): Literal\[([^\]]+)\][^=\n]*=", text, re.M)}
+        mesh = disc_mesh()
+        for name, words in choices.items():
+            with self.assertRaises(dsc.InputError) as refused:
+                if name in ("detail", "coverage"):
+                    dsc.initial_complex(((0, 0), (1, 1)), {}, edge_length=H, **{name: "none of them"})
+                else:
+                    dsc.Simulation(mesh, edge_length=H, **{name: "none of them"})
+            allowed = str(refused.exception).partition("allowed: ")[2]
+            self.assertEqual(set(re.findall(r"\w+", allowed)) - {"or", "None"}, words, name)
+        self.assertEqual(len(choices), 8)
+        sides = re.search(r"^Side = Literal\[(.+)\]", text, re.M).group(1)
+        self.assertEqual(ast.literal_eval(f"({sides})"), dsc.fluid.SIDES)
+
+    @unittest.skipUnless(shutil.which("mypy"), "mypy is not installed")
+    def test_a_program_is_checked_strictly(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program.py"
+            program.write_text(TYPED, encoding="utf-8")
+            done = subprocess.run(["mypy", "--strict", f"--cache-dir={folder}/cache", program], check=False,
+                                  capture_output=True, text=True,
+                                  env={**os.environ, "MYPYPATH": str(STUBS.parents[1])})
+        errors = [line for line in done.stdout.splitlines() if ": error:" in line]
+        self.assertEqual(len(errors), 1, done.stdout)
+        self.assertRegex(errors[0], r"program.py:\d+: .*topology")
 
 
 if __name__ == "__main__":

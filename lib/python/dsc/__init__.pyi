@@ -195,11 +195,11 @@ class Simulation(Generic[_AnyMesh]):
         by_distance: Callable[[float], float] | None = None,
         on_interface: Callable[[float, float, float], float] | None = None,
         changes_in_time: bool = False,
-        integrator: str = "rk4",
+        integrator: Literal["euler", "midpoint", "rk4", "adaptive"] = "rk4",
         tolerance: float = 1e-4,
-        insertion: str = "cubic",
-        coarsening: str = "deviation",
-        reading: str = "chords",
+        insertion: Literal["linear", "cubic"] = "cubic",
+        coarsening: Literal["deviation", "length", "never"] = "deviation",
+        reading: Literal["chords", "cubic"] = "chords",
         deviation: float = 0.02,
         feature_degrees: float = 40,
         turn_degrees: float = 0,
@@ -207,13 +207,13 @@ class Simulation(Generic[_AnyMesh]):
         advected_phases: Sequence[int] = (),
         sub_step: float = 0.6,
         max_sub_steps: int = 10000,
-        topology: str = "keep",
+        topology: Literal["keep", "change"] = "keep",
         contact: float = 0,
         min_area: float = 0,
         follows_seams: bool = True,
         gives_back_area: bool = False,
         threads: int | None = None,
-        division: str | None = None,
+        division: Literal["fixed", "counting", "active", "blocks", "cells"] | None = None,
         submeshes: int | None = None,
     ) -> None: ...
     @overload
@@ -255,6 +255,8 @@ class Simulation(Generic[_AnyMesh]):
     @property
     def interface_size(self) -> int: ...
 
+Side = Literal["left", "right", "bottom", "top", "other"]
+
 class Fluid:
     def __init__(
         self,
@@ -263,7 +265,7 @@ class Fluid:
         tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
         gravity: ArrayLike = (0, 0),
-        slip: str | Collection[str] = (),
+        slip: Side | Collection[Side] = (),
         inertia: bool = True,
         tolerance: float = 0,
         threads: int = 1,
@@ -294,9 +296,9 @@ def from_labels(
     by_distance: Callable[[float], float] | None = None,
     on_interface: Callable[[float, float, float], float] | None = None,
     changes_in_time: bool = False,
-    detail: str = "thin",
+    detail: Literal["thin", "keep"] = "thin",
     border_tolerance: float = 1e-3,
-    coverage: str = "open",
+    coverage: Literal["open", "whole", "longest_border", "first"] = "open",
 ) -> Mesh: ...
 
 def from_meshio(mesh: Any, phases: str | None = None) -> Any: ...
@@ -315,9 +317,9 @@ def initial_complex(  # type: ignore[misc]  # corners of three coordinates are f
     by_distance: Callable[[float], float] | None = None,
     on_interface: Callable[[float, float, float], float] | None = None,
     changes_in_time: bool = False,
-    detail: str = "thin",
+    detail: Literal["thin", "keep"] = "thin",
     border_tolerance: float = 1e-3,
-    coverage: str = "open",
+    coverage: Literal["open", "whole", "longest_border", "first"] = "open",
 ) -> Mesh: ...
 @overload
 def initial_complex(
