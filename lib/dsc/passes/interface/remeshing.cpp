@@ -170,10 +170,17 @@ private:
     // Returns true if the star is stale after an edit; the vertices to be kept are then in the
     // list.
     bool keep_boundary(std::uint32_t v, const Star<Real>& star) {
-        const BoundaryLimits<Real> boundary = boundary_at(star);
-        if (may_collapse_on_boundary(star, boundary) &&
-            collapse_on_boundary(work_, star, boundary)) {
-            return true;
+        BoundaryLimits<Real> boundary = boundary_at(star);
+        if (may_collapse_on_boundary(star, boundary)) {
+            // Of several vertices close to each other, as a phase leaves them that vanishes in a
+            // corner of the domain, the first one leaves triangles about as poor as they were.
+            const Real worst = std::sqrt(worst_quality_squared(star, star.x0, star.y0));
+            if (worst < boundary.min_quality) {
+                boundary.min_quality = worst / 2;
+            }
+            if (collapse_on_boundary(work_, star, boundary)) {
+                return true;
+            }
         }
         if (star.phase[0] == exterior_phase || !should_split_boundary(star, boundary)) {
             return false;
