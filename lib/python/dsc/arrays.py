@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Checks and converts arguments for the compiled part; errors are sentences."""
 import operator
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -111,6 +112,34 @@ def phase(value, where):
     if not 0 <= number < LARGEST:
         refuse("not a phase", where, shown(value), f"whole numbers from 0, below {LARGEST}")
     return number
+
+
+def pair(value, where):
+    """Two different phases. Raises InputError."""
+    if not isinstance(value, tuple) or len(value) != 2:
+        refuse("not a pair of two phases", where, repr(value), "keys (one, other)")
+    one, other = (phase(of, where) for of in value)
+    if one == other:
+        refuse("not a pair of two phases", where, repr(value), "keys (one, other)")
+    return one, other
+
+
+def by_key(value, where, key, allowed, entry=None):
+    """A dict with checked keys and values. Raises InputError.
+
+    `key(value, where)` checks a key; so does `entry` a value, which is a number otherwise.
+    """
+    if not isinstance(value, Mapping):
+        refuse("not a dict", where, shown(value), allowed)
+    return {key(one, where): (entry or number)(of, f"{where}[{one}]") for one, of in value.items()}
+
+
+def number(value, where):
+    """A real number. Raises InputError."""
+    array = numbers(value, where)
+    if array is None or array.ndim != 0:
+        refuse("not a number", where, shown(value), "a number")
+    return float(array)
 
 
 def outlines(value, where):

@@ -87,7 +87,7 @@ def growth(speeds):
     -------
     Flow
     """
-    return Flow("growth", dict(speeds))
+    return Flow("growth", arrays.by_key(speeds, "speeds", arrays.pair, "a dict {(growing, into): speed}"))
 
 
 def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
@@ -124,12 +124,13 @@ def curvature_flow(tension=1.0, mobility=1.0, keep_areas_of=None):
     arrays.expect_plane(areas, "curvature_flow")
     if isinstance(areas, Mesh):
         areas = {phase: areas._area(phase) for phase in areas.areas if phase != 0}
+    areas = arrays.by_key(areas, "keep_areas_of", arrays.phase, "a Mesh or a dict {phase: area}")
     tension, tensions = _by_pair(tension, "tension")
     mobility, mobilities = _by_pair(mobility, "mobility")
     _warn_of_spreading(tensions)
     pairs = {pair: (tensions.get(pair, tension), mobilities.get(pair, mobility))
              for pair in {**tensions, **mobilities}}
-    return Flow("curvature_flow", tension, mobility, pairs, dict(areas))
+    return Flow("curvature_flow", tension, mobility, pairs, areas)
 
 
 def _by_pair(given, where):
@@ -137,15 +138,10 @@ def _by_pair(given, where):
     if isinstance(given, dict):
         values = {}
         for pair, value in given.items():
-            if not isinstance(pair, tuple) or len(pair) != 2 or pair[0] == pair[1]:
-                arrays.refuse("not a pair of two phases", where, repr(pair), "keys (one, other)")
-            key = tuple(sorted(arrays.phase(phase, where) for phase in pair))
+            key = tuple(sorted(arrays.pair(pair, where)))
             if key in values:
                 arrays.refuse("a pair is named twice", where, repr(pair), "each pair once, in either order")
-            number = arrays.numbers(value, where)
-            if number is None or number.ndim != 0:
-                arrays.refuse(f"no number for the pair {pair}", where, arrays.shown(value), "a number")
-            values[key] = float(number)
+            values[key] = arrays.number(value, f"{where}[{pair}]")
         return 1.0, values
     array = arrays.numbers(given, where)
     if array is not None and array.ndim == 0:

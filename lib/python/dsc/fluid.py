@@ -41,10 +41,10 @@ class Fluid(_dsc.Fluid):
         for side in slip:
             if side not in SIDES:
                 arrays.refuse("not a side of the domain", "slip", repr(side), ", ".join(SIDES))
-        properties = [(phase, *((1, 1) if one is None else one), one is None)
-                      for phase, one in phases.items()]
-        pairs = [(*pair, *(one if isinstance(one, (tuple, list)) else (one, None)))
-                 for pair, one in tensions.items()]
+        phases = arrays.by_key(phases, "phases", arrays.phase, "a dict {phase: (density, viscosity)}", _material)
+        tensions = arrays.by_key(tensions, "tensions", arrays.pair, "a dict {(one, other): tension}", _tension)
+        properties = [(phase, *(one or (1, 1)), one is None) for phase, one in phases.items()]
+        pairs = [(*pair, *one) for pair, one in tensions.items()]
         super().__init__(sim.mesh, properties, pairs, arrays.point(gravity, "gravity"),
                          [side in slip for side in SIDES], inertia, tolerance, threads)
         self._sim = sim
@@ -87,3 +87,21 @@ def _fluid_from(sim, state):
     fluid = Fluid(sim, **options)
     fluid._restore(inner)
     return fluid
+
+
+def _material(value, where):
+    return None if value is None else _two(value, where, "(density, viscosity), or None for a void")
+
+
+def _tension(value, where):
+    array = arrays.numbers(value, where)
+    if array is not None and array.ndim == 0:
+        return float(array), None
+    return _two(value, where, "tension, or (tension, angle)")
+
+
+def _two(value, where, allowed):
+    array = arrays.numbers(value, where)
+    if array is None or array.shape != (2,):
+        arrays.refuse("not two numbers", where, arrays.shown(value), allowed)
+    return array.tolist()
