@@ -26,8 +26,12 @@ TEST(Points, AreReadInPieces) {
     EXPECT_EQ(pieces[1].points.size(), 3U);
     EXPECT_TRUE(pieces[1].is_closed) << "it comes back";
     EXPECT_TRUE(read_points("0 0\n1 0\n1 1", true, "file")[0].is_closed);
+    const auto flat = read_points("0 0 7\n1 0 7\n1 1 7.0\n\n2,0,3\n3,0,3\n3,1,3\n", true, "file");
+    ASSERT_EQ(flat.size(), 2U);
+    EXPECT_EQ(flat[1].points, (Outline{{2, 0}, {3, 0}, {3, 1}})) << "one height each";
     EXPECT_THROW((void)read_points("# nothing\n", true, "file"), InputError);
-    for (const char* bad : {"0 0\n1", "0 0\n1 x", "0 0\n1 2 3", "0 0\nnan 0", "0 0\n1e300 0"}) {
+    for (const char* bad :
+         {"0 0\n1", "0 0\n1 x", "0 0 1\n1 2 3", "0 0\n1 2 3 4", "0 0\nnan 0", "0 0\n1e300 0"}) {
         try {
             (void)read_points(bad, true, "file");
             ADD_FAILURE() << bad;

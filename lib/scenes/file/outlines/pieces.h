@@ -23,9 +23,9 @@ struct Piece {
 /// points).
 [[nodiscard]] std::vector<int> nesting(const std::vector<Piece>& pieces);
 
-/// A text file of points: "x y" or "x,y" a line; an empty line ends a piece, and # begins a
-/// comment. Closed as `piece_of` says. Throws InputError, with the line, for anything else or too
-/// many points.
+/// A text file of points: "x y" or "x,y" a line, or "x y z" with the same z for all points of a
+/// piece, which is dropped; an empty line ends a piece, and # begins a comment. Closed as
+/// `piece_of` says. Throws InputError, with the line, for anything else or too many points.
 [[nodiscard]] std::vector<Piece> read_points(const std::string& text, bool close,
                                              const std::string& where);
 

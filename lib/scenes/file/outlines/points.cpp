@@ -56,6 +56,7 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         }
     };
     std::size_t count = 0;
+    double height = 0; // of the line's first point
     std::istringstream lines(text);
     std::string whole;
     for (int number = 1; std::getline(lines, whole); ++number) {
@@ -69,14 +70,21 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         }
         std::istringstream words(line);
         Point<double> p;
+        double z = 0;
         std::string rest;
-        if (!(words >> p.x() >> p.y()) || words >> rest ||
-            !(p.cwiseAbs().maxCoeff() <= largest_coordinate) || ++count > max_points) {
-            throw InputError(
-                {.what = count > max_points ? "too many points" : "not a point",
-                 .where = where + ':' + std::to_string(number),
-                 .value = quoted_excerpt(whole),
-                 .allowed = "two numbers x y, or a comment after #; at most 1000000 lines"});
+        const bool is_point = words >> p.x() >> p.y() && ((words >> std::ws).eof() || words >> z) &&
+                              !(words >> rest) && p.cwiseAbs().maxCoeff() <= largest_coordinate;
+        if (is_point && points.empty()) {
+            height = z;
+        }
+        if (!is_point || z != height || ++count > max_points) {
+            throw InputError({.what = !is_point     ? "not a point"
+                                      : z != height ? "points at several heights"
+                                                    : "too many points",
+                              .where = where + ':' + std::to_string(number),
+                              .value = quoted_excerpt(whole),
+                              .allowed = "two numbers x y, or three with one z for all points of a "
+                                         "line, or a comment after #; at most 1000000 lines"});
         }
         points.push_back(p);
     }
@@ -85,7 +93,7 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         throw InputError({.what = "no points",
                           .where = where,
                           .value = quoted_excerpt(text),
-                          .allowed = "lines of two numbers x y"});
+                          .allowed = "lines of two numbers x y, or three"});
     }
     return pieces;
 }
