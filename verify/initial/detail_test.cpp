@@ -191,6 +191,39 @@ TEST(InitialDetail, ThinLayersStayApart) {
     EXPECT_LE(report.area_changed, 20 * 1e-3 * h * 2.5);
 }
 
+// Contours of images end in films that are a fraction of their edges thick: the edges are halved
+// there, and the shape stays as it is.
+TEST(InitialDetail, FilmsThatEndMakeNoNeedles) {
+    const auto scaled = [](std::vector<Point<double>> points) {
+        for (Point<double>& p : points) {
+            p = Point<double>(0.5, 0.5) + h * p;
+        }
+        return Shape{std::move(points), 1};
+    };
+    const Shape tip = scaled({{-0.316, 0.019},
+                              {0.158, -0.041},
+                              {0.939, -0.24},
+                              {1.72, -0.559},
+                              {4, -3},
+                              {4, 0.1},
+                              {1.72, 0.049},
+                              {0.939, 0.033},
+                              {0.158, 0.022}});
+    const Shape sliver = scaled({{-0.561, 0.009},
+                                 {-0.259, -0.031},
+                                 {0.522, -0.036},
+                                 {0.777, 0.009},
+                                 {0.522, 0.014},
+                                 {-0.259, 0.014}});
+    for (const Shape& shape : {tip, sliver}) {
+        const auto [complex, report] = thinned<Shape>({shape});
+        EXPECT_TRUE(validate(complex).ok());
+        EXPECT_EQ(report.thinned, 0U);
+        EXPECT_NEAR(phase_area(complex, 1), std::abs(scenes::signed_area(shape.outline)), 1e-15);
+        EXPECT_GT(test::smallest_angle(complex), 5);
+    }
+}
+
 TEST(InitialDetail, ShapesBelowTheEdgeLengthAreDropped) {
     const auto square = [](double x, double side) {
         return Shape{{{x, 0.5}, {x + side, 0.5}, {x + side, 0.5 + side}, {x, 0.5 + side}}, 1};

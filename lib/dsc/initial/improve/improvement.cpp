@@ -208,7 +208,7 @@ std::vector<std::uint32_t> find_zone(Complex<Real>& complex,
 template <class Real>
 void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
              double edge_length, int rounds, Protection protection) {
-    in_rounds(complex, rounds, [&] {
+    const auto round = [&] {
         const auto zone = find_zone(complex, interface_vertices, edge_length);
         // Smooths after every change, because the next change is judged by the current triangles.
         std::size_t changes = smooth(complex, zone);
@@ -216,7 +216,11 @@ void improve(Complex<Real>& complex, std::span<const std::uint32_t> interface_ve
         changes += smooth(complex, zone);
         changes += refine(complex, zone, protection);
         return changes + split_long(complex, zone, edge_length);
-    });
+    };
+    in_rounds(complex, rounds, round);
+    if (rounds > 0 && halve_needles(complex, interface_vertices, edge_length) > 0) {
+        in_rounds(complex, rounds, round);
+    }
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 #include "dsc/geometry/triangle.h"
 #include "dsc/initial/rounding.h"
 #include "dsc/operations/edge_split.h"
+#include "dsc/queries/phases.h"
 
 #include <algorithm>
 
@@ -13,6 +14,11 @@ namespace dsc::initial {
 
 namespace {
 
+// A triangle across a film is a needle below this smallest angle, in degrees. Edges of half the
+// length nearly double it.
+constexpr double needle_angle = 8;
+constexpr double sharpest_tip = 5;    // no edge length helps at a sharper one; in degrees
+constexpr double halved_above = 0.6;  // length of an edge that is halved, over the target
 constexpr double refine_below = 0.5;  // quality of a triangle that is broken up
 constexpr double split_above = 1.5;   // length of an inner edge that is split, over the target
 constexpr double split_quality = 0.4; // smallest quality that a split may leave for smoothing
@@ -57,6 +63,35 @@ double quality_of(const Complex<Real>& complex, std::uint32_t triangle) {
     const auto& v = complex.triangles[triangle].v;
     return quality<double>(position_of(complex, v[0]), position_of(complex, v[1]),
                            position_of(complex, v[2]));
+}
+
+// The smallest angle of the triangle of a corner, in degrees.
+template <class Real>
+double smallest_angle(const Complex<Real>& complex, Corner corner) {
+    const auto& v = complex.triangles[triangle_of(corner)].v;
+    return min_angle_deg<double>(position_of(complex, v[0]), position_of(complex, v[1]),
+                                 position_of(complex, v[2]));
+}
+
+// Whether a film ends beyond the edge opposite to the corner, in an edge or in a tip.
+template <class Real>
+bool film_ends_beyond(const Complex<Real>& complex, Corner corner) {
+    if (is_constrained(complex, corner)) {
+        return true;
+    }
+    const Corner tip = complex.twin(corner);
+    return is_constrained(complex, next(tip)) && is_constrained(complex, prev(tip)) &&
+           smallest_angle(complex, tip) >= sharpest_tip;
+}
+
+// Whether the triangle is the last one of a film, and a needle with its point at the corner.
+template <class Real>
+bool is_needle(const Complex<Real>& complex, Corner corner) {
+    const auto& v = complex.triangles[triangle_of(corner)].v;
+    return is_constrained(complex, next(corner)) != is_constrained(complex, prev(corner)) &&
+           smallest_angle(complex, corner) < needle_angle && film_ends_beyond(complex, corner) &&
+           std::ranges::all_of(v,
+                               [&](std::uint32_t i) { return is_interface(complex, Vertex{i}); });
 }
 
 template <class Real>
@@ -170,7 +205,42 @@ std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zo
     return inserted;
 }
 
+template <class Real>
+std::size_t halve_needles(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
+                          double edge_length) {
+    std::vector<std::array<std::uint32_t, 2>> found;
+    for (const std::uint32_t v : interface_vertices) {
+        for_each_corner(complex, Vertex{v}, [&](Corner c) {
+            if (!is_needle(complex, c)) {
+                return;
+            }
+            const bool is_next = is_constrained(complex, prev(c));
+            const std::uint32_t w = complex.vertex(is_next ? next(c) : prev(c));
+            const Corner beyond = complex.twin(is_next ? prev(c) : next(c));
+            if (!is_border(beyond) && !is_interface(complex, Vertex{complex.vertex(beyond)}) &&
+                distance(position_of(complex, v), position_of(complex, w)) >
+                    halved_above * edge_length) {
+                found.push_back({v, w});
+            }
+        });
+    }
+    std::size_t halved = 0;
+    std::vector<Corner> stack;
+    for (const auto& [v, w] : found) {
+        const Corner edge = complex.find_half_edge(Vertex{v}, Vertex{w});
+        const Point<Real> middle =
+            narrowed<Real>(midpoint<double>(position_of(complex, v), position_of(complex, w)));
+        if (edge != no_id && // not halved from its other end yet
+            edge_split_guard<Real>(complex, Region{}, edge, middle) == Verdict::legal) {
+            insert_point(complex, {WalkEnd::Kind::edge, edge}, middle, stack);
+            ++halved;
+        }
+    }
+    return halved;
+}
+
 #define DSC_INSTANTIATE(Real)                                                                      \
+    template std::size_t halve_needles(Complex<Real>&, std::span<const std::uint32_t>, double);    \
     template BreakUp break_up(Complex<Real>&, std::uint32_t, Protection, std::vector<Corner>&);    \
     template std::size_t refine(Complex<Real>&, std::span<const std::uint32_t>, Protection);       \
     template std::size_t split_long(Complex<Real>&, std::span<const std::uint32_t>, double);

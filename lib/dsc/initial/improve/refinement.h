@@ -46,6 +46,14 @@ template <class Real>
 std::size_t refine(Complex<Real>& complex, std::span<const std::uint32_t> zone,
                    Protection protection);
 
+/// Halves edges of the interface at needles across the end of a film, if the triangle beyond
+/// the edge does not reach another sheet. In rows of needles, and between two films, edges stay:
+/// vertices that do not face each other there would make things worse once the interface moves.
+/// Returns the number of new vertices.
+template <class Real>
+std::size_t halve_needles(Complex<Real>& complex, std::span<const std::uint32_t> interface_vertices,
+                          double edge_length);
+
 /// Splits inner edges that are much longer than the target. Returns the number of new vertices.
 template <class Real>
 std::size_t split_long(Complex<Real>& complex, std::span<const std::uint32_t> zone,
