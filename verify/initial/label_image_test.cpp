@@ -115,6 +115,15 @@ TEST(LabelImage, KeepsAreasAndJunctionsOfGrains) {
     }
 }
 
+// Points are left out at all borders of a grain; together they change its area by no more.
+TEST(LabelImage, KeepsAreasAtLongEdges) {
+    for (std::uint64_t start = 1; start <= 5; ++start) {
+        const LabelImage image = of_grains(200, 30, start);
+        const auto complex = initial_complex<double>({}, image, {.edge_length = 0.04});
+        EXPECT_LT(area_error(complex, image), 1e-3) << start;
+    }
+}
+
 // Errors of areas shrink from round to round of their correction. Where they came down to rounding,
 // the equation for the rounds had no solution any more, and areas were wrong by 50 pixels.
 TEST(LabelImage, CorrectsAreasNoFurtherThanRounding) {

@@ -124,8 +124,8 @@ private:
             }
             const bool is_closed = points.front() == points.back();
             state.max_area_change =
-                max_area_change *
-                std::min(edge_length_ * length, is_closed ? std::abs(area) : edge_length_ * length);
+                max_area_change * (is_closed ? std::min(edge_length_ * length, std::abs(area))
+                                             : edge_length_ * length / 2);
         }
         return nodes;
     }

@@ -21,9 +21,11 @@ inline constexpr double finest_edge = 0.2;
 /// A left-out point lies no farther than this times the edge length from the edge that replaces it:
 /// half of the finest edge, so that a tooth of two such edges can be removed.
 inline constexpr double max_deviation = 0.1;
-/// The area on one side of a curve changes by less than this times the edge length and the length
-/// of the curve, and by less than this times the area inside a closed one. On a smooth curve this
-/// also bounds the deviation to about this times the edge length.
+/// The area inside a closed curve changes by less than this times its area, and by less than this
+/// times the edge length and the length of the curve; that beside an open one by less than half of
+/// the latter, so that the area between curves, if it is two edge lengths wide or more, changes by
+/// less than this times itself. On a smooth curve this also bounds the deviation to about this
+/// times the edge length.
 inline constexpr double max_area_change = 1e-3;
 
 /// A line of points that has no point in common with others but its ends.
