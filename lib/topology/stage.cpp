@@ -85,10 +85,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
                             std::ranges::any_of(between.interface, [&](std::uint32_t v) {
                                 return (what(v) & (noted_facing | noted_sharp)) != 0;
                             });
-    if (!is_notable) {
-        return;
-    }
-    candidates_.resize(between.interface.size());
+    candidates_.resize(is_notable ? between.interface.size() : 0);
     std::array<bool, ranges_of_places> has_blocked{};
     const auto look = [&](std::size_t range, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -112,7 +109,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
                                     .events = events_,
                                     .has_blocked = std::ranges::count(has_blocked, true) > 0,
                                     .in_shares = between.in_shares},
-                                   candidates_);
+                                   candidates_, between.interface, round);
 }
 
 template <class Real>

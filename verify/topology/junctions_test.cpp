@@ -6,6 +6,7 @@
 #include "support/topology/topology_testing.h"
 
 #include "dsc/base/error.h"
+#include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 
@@ -261,6 +262,24 @@ TEST(Pieces, GoToThePhaseThatTheyBorderOnMost) {
         EXPECT_NEAR(events[0].area, 1, 1e-12);
         EXPECT_EQ(phase_at_corner(complex, P(-0.5, -0.5)), largest);
     }
+}
+
+// Fronts that come from all sides at one speed reach a square's middle together: each takes the
+// quarter at its side.
+TEST(Pieces, AreSharedAsTheFrontsAroundThemReachThem) {
+    auto complex = grid({-2, -1, 0, 1, 2}, {-2, -1, 0, 1, 2}, [](const P& p) {
+        const bool is_piece = std::abs(p.x() + 0.5) < 0.5 && std::abs(p.y() + 0.5) < 0.5;
+        return is_piece ? exterior_phase : Phase(p.x() < 0 ? 2 : 3);
+    });
+    TopologyOptions<double> options = changing();
+    options.min_area = 1.01; // the piece has 1
+    const auto events = change(complex, options);
+    ASSERT_EQ(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::fill);
+    EXPECT_NEAR(events[0].area, 1, 1e-12);
+    EXPECT_EQ(events[0].taken[0], 2U); // it borders on it most
+    EXPECT_NEAR(phase_area(complex, 2), 8 - 1 + 0.75, 1e-3);
+    EXPECT_NEAR(phase_area(complex, 3), 8 + 0.25, 1e-3);
 }
 
 } // namespace

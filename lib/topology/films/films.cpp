@@ -353,11 +353,16 @@ private:
         Phase to = film;
         Real longest = -1;
         for (const Corner c : sheets) {
-            const bool may = !is_border(c) && contact_at(work_, c) > 0;
-            const Real length = may ? direction(complex_, c).squaredNorm() : Real(-1);
+            if (is_border(c) || !(contact_at(work_, c) > 0)) {
+                continue;
+            }
+            if (to != film && meet_in_points(film, to, phase_beyond(complex_, c))) {
+                return film;
+            }
+            const Real length = direction(complex_, c).squaredNorm();
             if (length > longest) {
                 longest = length;
-                to = complex_.phase_at(complex_.twin(c));
+                to = phase_beyond(complex_, c);
             }
         }
         closed_ = static_cast<double>(doubled_area(complex_, t)) / 2;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/remnants.h"
 
+#include "topology/films/last_piece.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -25,7 +27,8 @@ public:
 
     void run(std::span<const Candidate> candidates) {
         for (const Corner c : outlines_at(candidates)) {
-            if (is_outline(complex_, c)) { // it may have vanished since
+            if (complex_.is_alive(Triangle{triangle_of(c)}) &&
+                is_outline(complex_, c)) { // it may have vanished since
                 visit(c);
             }
         }
@@ -155,10 +158,16 @@ private:
             event.area += area;
             event.x += area * static_cast<double>(place.x());
             event.y += area * static_cast<double>(place.y());
-            give(work_, t, to);
         }
         event.x /= event.area;
         event.y /= event.area;
+        const bool is_shared =
+            phase == exterior_phase && close_last_piece<Real>(work_, piece_, outline_);
+        for (const Triangle t : piece_) {
+            if (!is_shared && complex_.is_alive(t) && complex_.phase(t) == phase) {
+                give(work_, t, to);
+            }
+        }
         work_.events.push_back(event);
         piece_of_.clear(); // the piece is now a part of another one
     }

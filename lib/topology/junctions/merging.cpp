@@ -5,6 +5,7 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
+#include "dsc/operations/edge_flip.h"
 #include "dsc/quality/measures.h"
 
 #include <cmath>
@@ -35,10 +36,11 @@ public:
                     return {};
                 }
                 const Vertex gone = into_w >= into_v ? v_ : w_;
-                note_sweep(gone, gone == v_ ? w_ : v_);
+                const Vertex kept = gone == v_ ? w_ : v_;
+                note_sweep(work_, gone, kept, complex_.position(kept));
                 const Corner edge = edge_between();
                 rewire::collapse(complex_, *submesh_.log, edge, end_of(edge, gone), *submesh_.pool);
-                return gone == v_ ? w_ : v_;
+                return kept;
             }
         }
         return {};
@@ -115,31 +117,6 @@ private:
         return false;
     }
 
-    // As the junction moves, each curve that ends there sweeps the triangle between its old and its
-    // new first edge.
-    void note_sweep(Vertex gone, Vertex kept) {
-        const Point<Real> from = complex_.position(gone);
-        const Point<Real> way = complex_.position(kept) - from;
-        for_each_corner(complex_, gone, [&](Corner c) {
-            const Corner edge = prev(c); // starts at the vertex, with the triangle on its left
-            const Vertex end{complex_.vertex(next(c))};
-            if (end == kept || !is_sheet(complex_, edge)) {
-                return;
-            }
-            const Point<Real> along = complex_.position(end) - from;
-            const auto area = static_cast<double>(cross<Real>(along, way)) / 2;
-            work_.swept += std::abs(area);
-            if (work_.options.gives_back_area && area != 0) {
-                const Phase left = complex_.phase_at(c);
-                const Phase right = complex_.phase_at(complex_.twin(edge));
-                const Point<Real> place = from + (way + along) / Real(3);
-                work_.transfers.push_back({area > 0 ? left : right, area > 0 ? right : left,
-                                           std::abs(area), place.template cast<double>(),
-                                           Triangle{triangle_of(c)}});
-            }
-        });
-    }
-
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh<Real> submesh_;
@@ -148,6 +125,31 @@ private:
 };
 
 } // namespace
+
+template <class Real>
+void note_sweep(TopologyWork<Real>& work, Vertex gone, Vertex kept, const Point<Real>& to) {
+    const Complex<Real>& complex = work.complex;
+    const Point<Real> from = complex.position(gone);
+    const Point<Real> way = to - from;
+    for_each_corner(complex, gone, [&](Corner c) {
+        const Corner edge = prev(c); // leaves the vertex, with the triangle on its left
+        const Vertex end{complex.vertex(next(c))};
+        if (end == kept || !is_sheet(complex, edge)) {
+            return;
+        }
+        const Point<Real> along = complex.position(end) - from;
+        const auto area = static_cast<double>(cross<Real>(along, way)) / 2;
+        work.swept += std::abs(area);
+        if (work.options.gives_back_area && area != 0) {
+            const Phase left = complex.phase_at(c);
+            const Phase right = complex.phase_at(complex.twin(edge));
+            const Point<Real> place = from + (way + along) / Real(3);
+            work.transfers.push_back({area > 0 ? left : right, area > 0 ? right : left,
+                                      std::abs(area), place.template cast<double>(),
+                                      Triangle{triangle_of(c)}});
+        }
+    });
+}
 
 template <class Real>
 Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either) {
@@ -178,6 +180,87 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
     return true;
 }
 
+template <class Real>
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
+    Complex<Real>& complex = work.complex;
+    const Corner first =
+        find_corner(complex, vertex, [&](Corner c) { return is_border(complex.twin(prev(c))); });
+    const Corner last =
+        find_corner(complex, vertex, [&](Corner c) { return is_border(complex.twin(next(c))); });
+    if (first == no_id || last == no_id ||
+        (complex.vertices[vertex.id].flags & vertex_locked) != 0 ||
+        find_corner(complex, vertex, [&](Corner c) {
+            return complex.phase_at(c) != complex.phase_at(first);
+        }) != no_id) {
+        return false;
+    }
+    const Submesh<Real> submesh(complex);
+    return edge_collapse(submesh, prev(first), rewire::Vanishing::next) == Verdict::legal ||
+           edge_collapse(submesh, next(last), rewire::Vanishing::prev) == Verdict::legal;
+}
+
+template <class Real>
+void mend_star(TopologyWork<Real>& work, Vertex v) {
+    constexpr double slender = 0.2; // height over longest edge
+    constexpr double poor = 0.02;   // squared quality of what a removal may leave of a better star
+    constexpr int max_rounds = 7;
+    Complex<Real>& complex = work.complex;
+    Submesh<Real> submesh(complex);
+    const auto at = [&](Corner c) { return complex.position(Vertex{complex.vertex(c)}); };
+    const auto height = [&](Corner c) {
+        return height_over_longest<Real>(at(c), at(next(c)), at(prev(c)));
+    };
+    const auto flip_best = [&](Corner worst) {
+        Corner best = no_id;
+        Real most = height(worst);
+        for (const Corner c : {worst, next(worst), prev(worst)}) {
+            const Corner o = complex.twin(c);
+            if (is_border(o) || is_sheet(complex, c)) {
+                continue;
+            }
+            const Real after = std::min(height_over_longest<Real>(at(c), at(next(c)), at(o)),
+                                        height_over_longest<Real>(at(o), at(prev(c)), at(c)));
+            if (after > most) {
+                most = after;
+                best = c;
+            }
+        }
+        return best != no_id && edge_flip(submesh, best) == Verdict::legal;
+    };
+    // One that is within a phase, also on the domain boundary.
+    const auto remove = [&](std::uint32_t w) {
+        auto now = static_cast<Real>(poor);
+        for_each_corner(complex, Vertex{w}, [&](Corner c) {
+            const Real its = quality<Real>(at(c), at(next(c)), at(prev(c)));
+            now = std::min(now, its > 0 ? its * its : Real(0));
+        });
+        if (remove_inside(work, Vertex{w}, now)) {
+            return true;
+        }
+        return remove_on_boundary(work, Vertex{w});
+    };
+    for (int round = 0; round < max_rounds && complex.is_alive(v); ++round) {
+        Corner worst = no_id;
+        auto least = static_cast<Real>(slender);
+        for_each_corner(complex, v, [&](Corner c) {
+            if (const Real one = height(c); one < least) {
+                least = one;
+                worst = c;
+            }
+        });
+        if (worst == no_id || (!flip_best(worst) && !remove(complex.vertex(next(worst))) &&
+                               !remove(complex.vertex(prev(worst))) && !remove(v.id))) {
+            return;
+        }
+    }
+}
+
+template bool remove_on_boundary(TopologyWork<double>&, Vertex);
+template bool remove_on_boundary(TopologyWork<float>&, Vertex);
+template void mend_star(TopologyWork<double>&, Vertex);
+template void mend_star(TopologyWork<float>&, Vertex);
+template void note_sweep(TopologyWork<double>&, Vertex, Vertex, const Point<double>&);
+template void note_sweep(TopologyWork<float>&, Vertex, Vertex, const Point<float>&);
 template Vertex merge_ends(TopologyWork<double>&, Vertex, Vertex, bool);
 template Vertex merge_ends(TopologyWork<float>&, Vertex, Vertex, bool);
 template bool remove_inside(TopologyWork<double>&, Vertex, double);

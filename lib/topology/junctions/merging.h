@@ -2,7 +2,10 @@
 // Merges two junctions along the short edge between them.
 #pragma once
 
+#include "dsc/geometry/predicates.h"
 #include "topology/region.h"
+
+#include <algorithm>
 
 namespace dsc {
 
@@ -13,9 +16,37 @@ namespace dsc {
 template <class Real>
 [[nodiscard]] Vertex merge_ends(TopologyWork<Real>& work, Vertex v, Vertex w, bool either);
 
+/// The curves that end at a vertex sweep area as it moves, each the triangle between its first edge
+/// before and after: adds it to `work.swept`, and to the transfers if area is to be given back.
+/// Leaves out the edge to `kept`, which is about to vanish. O(degree).
+template <class Real>
+void note_sweep(TopologyWork<Real>& work, Vertex gone, Vertex kept, const Point<Real>& to);
+
 /// Collapses a vertex inside a phase into the neighbour that leaves the best triangles. Returns
 /// false if no collapse leaves a squared quality above `min_quality`. O(degree squared).
 template <class Real>
 bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
+
+/// Collapses a vertex of the domain boundary, with one phase around it, along the boundary. Returns
+/// false if that is illegal. O(degree).
+template <class Real>
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex);
+
+/// Height of a triangle over its longest edge; 0 if it is not positive.
+template <class Real>
+[[nodiscard]] Real height_over_longest(const Point<Real>& p, const Point<Real>& a,
+                                       const Point<Real>& b) {
+    const Point<Real> to_a = a - p;
+    const Point<Real> to_b = b - p;
+    return orientation<Real>(p, a, b) > 0
+               ? cross<Real>(to_a, to_b) /
+                     std::max({(to_b - to_a).squaredNorm(), to_a.squaredNorm(), to_b.squaredNorm()})
+               : Real(0);
+}
+
+/// Mends what an edit has left slender in the star of a vertex, before anything moves: flips edges
+/// and removes vertices inside phases, as long as that is better. O(degrees).
+template <class Real>
+void mend_star(TopologyWork<Real>& work, Vertex v);
 
 } // namespace dsc

@@ -83,16 +83,18 @@ inline TopologyOptions<double> changing() {
 inline std::vector<Event> change(Complex<double>& complex,
                                  const TopologyOptions<double>& options = changing()) {
     std::vector<Candidate> candidates;
+    std::vector<std::uint32_t> interface;
     auto& places = places_of(complex);
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
         places[v] = {p.x(), p.y()};
         candidates.push_back({v.id, true, true, true, true});
+        interface.push_back(v.id);
     }
     std::vector<Event> events;
     change_topology<double>(
         {.complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events},
-        candidates);
+        candidates, interface, 0);
     EXPECT_EQ(validate(complex).problem, "");
     return events;
 }

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/last_piece.h"
+
+#include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
+#include "dsc/operations/edge_flip.h"
+#include "dsc/operations/edge_split.h"
+#include "topology/junctions/merging.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+
+namespace dsc {
+
+namespace {
+
+constexpr int max_rounds = 32;
+
+template <class Real>
+class LastPiece {
+public:
+    LastPiece(TopologyWork<Real>& work, std::span<const Triangle> piece,
+              std::span<const Corner> outline)
+        : work_(work), complex_(work.complex), submesh_(work.complex), piece_(piece),
+          outline_(outline), film_(work.complex.phase(piece.front())) {}
+
+    bool run() {
+        Phase other = film_;
+        bool is_one = true;
+        for (const Corner c : outline_) {
+            ends_.push_back(complex_.vertex(next(c)));
+            if (is_border(complex_.twin(c))) {
+                if (boundary_ != no_id &&
+                    cross<Real>(direction(complex_, c), direction(complex_, boundary_)) != 0) {
+                    return false; // a corner of the domain
+                }
+                boundary_ = c;
+                continue;
+            }
+            const Phase beyond = phase_beyond(complex_, c);
+            if (rule_of(work_.options, work_.edge_length, film_, beyond).rule != Topology::change) {
+                return false;
+            }
+            is_one = is_one && (other == film_ || beyond == other);
+            other = beyond;
+        }
+        if (is_one) {
+            return false;
+        }
+        const Point<Real> place = meeting_place();
+        const std::uint32_t centre = boundary_ != no_id ? vertex_on_boundary() : vertex_within();
+        if (centre == no_id) {
+            return false;
+        }
+        // Flips make all of the piece the star of the centre.
+        for (int round = 0; round < max_rounds; ++round) {
+            move_towards(centre, place);
+            const Corner flipped = find_corner(complex_, Vertex{centre}, [&](Corner c) {
+                return is_of_film(c) && is_of_film(complex_.twin(c)) &&
+                       edge_flip(submesh_, c) == Verdict::legal;
+            });
+            if (flipped == no_id) {
+                break;
+            }
+        }
+        std::vector<std::pair<Triangle, Phase>> gifts;
+        for_each_corner(complex_, Vertex{centre}, [&](Corner c) {
+            if (is_of_film(c) && is_outline(complex_, c) && !is_border(complex_.twin(c))) {
+                gifts.emplace_back(Triangle{triangle_of(c)}, phase_beyond(complex_, c));
+            }
+        });
+        for (const auto& [t, to] : gifts) {
+            give(work_, t, to);
+        }
+        give_rest(centre);
+        mend_star(work_, Vertex{centre});
+        for (const std::uint32_t v : ends_) {
+            mend_star(work_, Vertex{v});
+        }
+        return true;
+    }
+
+private:
+    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+    [[nodiscard]] bool is_of_film(Corner c) const {
+        return !is_border(c) && complex_.phase_at(c) == film_;
+    }
+
+    // What could not become the star of the centre: each triangle to the phase beyond its longest
+    // sheet, from outside inwards.
+    void give_rest(std::uint32_t centre) {
+        std::vector<Triangle> rest;
+        const auto add = [&](Triangle t) {
+            if (complex_.is_alive(t) && complex_.phase(t) == film_ &&
+                std::ranges::find(rest, t) == rest.end()) {
+                rest.push_back(t);
+            }
+        };
+        std::ranges::for_each(piece_, add);
+        for_each_corner(complex_, Vertex{centre}, [&](Corner c) { add(Triangle{triangle_of(c)}); });
+        for (bool is_given = true; is_given;) {
+            is_given = false;
+            for (const Triangle t : rest) {
+                Corner longest = no_id;
+                for (std::uint32_t k = 0; k < 3 && complex_.phase(t) == film_; ++k) {
+                    const Corner c = corner_of(t.id, k);
+                    if (is_sheet(complex_, c) && !is_border(complex_.twin(c)) &&
+                        (longest == no_id || direction(complex_, c).squaredNorm() >
+                                                 direction(complex_, longest).squaredNorm())) {
+                        longest = c;
+                    }
+                }
+                if (longest != no_id) {
+                    give(work_, t, phase_beyond(complex_, longest));
+                    is_given = true;
+                }
+            }
+        }
+    }
+
+    // The place and the time t with n.(place - p) = t for the normal n and a point p of each edge
+    // of the outline, weighted by length, in the sense of least squares. Held a little to the mean
+    // of the outline: between two parallel fronts it could be anywhere.
+    [[nodiscard]] Point<Real> meeting_place() const {
+        constexpr double hold = 1e-4;
+        Point<double> mean = Point<double>::Zero();
+        double perimeter = 0;
+        for (const Corner c : outline_) {
+            const auto way = direction(complex_, c).template cast<double>().eval();
+            const auto from = at(complex_.vertex(next(c))).template cast<double>().eval();
+            mean += way.norm() * (from + way / 2);
+            perimeter += way.norm();
+        }
+        mean /= perimeter;
+        Eigen::Matrix3d matrix = Eigen::Vector3d(hold, hold, 0).asDiagonal();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        for (const Corner c : outline_) {
+            const auto way = direction(complex_, c).template cast<double>().eval();
+            const auto from = at(complex_.vertex(next(c))).template cast<double>().eval();
+            const double length = way.norm();
+            if (!(length > 0) || is_border(complex_.twin(c))) {
+                continue;
+            }
+            const Point<double> n(-way.y() / length, way.x() / length);
+            const Eigen::Vector3d row(n.x(), n.y(), -1);
+            matrix += length / perimeter * row * row.transpose();
+            right += length / perimeter * n.dot(from - mean) * row;
+        }
+        if (boundary_ != no_id) {
+            constexpr double fast = 1e6;
+            const auto way =
+                direction(complex_, boundary_).template cast<double>().normalized().eval();
+            const auto from = at(complex_.vertex(next(boundary_))).template cast<double>().eval();
+            const Point<double> n(-way.y(), way.x());
+            const Eigen::Vector3d row(n.x(), n.y(), 0);
+            matrix += fast * row * row.transpose();
+            right += fast * n.dot(from - mean) * row;
+        }
+        const Eigen::Vector3d solution = matrix.ldlt().solve(right);
+        return (mean + solution.head<2>()).template cast<Real>();
+    }
+
+    // A vertex on the domain boundary, alone between the ends of the fronts if the triangles allow
+    // that: all of the piece can be the star of no other.
+    std::uint32_t vertex_on_boundary() {
+        bool is_inner = is_border(complex_.twin(outline_.back()));
+        std::vector<std::uint32_t> inner; // between two edges of the boundary
+        for (std::size_t i = 0; i < outline_.size(); ++i) {
+            const bool is_on_boundary = is_border(complex_.twin(outline_[i]));
+            if (is_inner && is_on_boundary) {
+                inner.push_back(ends_[i]);
+            }
+            is_inner = is_on_boundary;
+        }
+        std::erase_if(inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}); });
+        if (!inner.empty()) {
+            return inner.front();
+        }
+        const auto edge_of_film = [&](Triangle t) {
+            for (std::uint32_t k = 0; k < 3 && complex_.is_alive(t); ++k) {
+                const Corner c = corner_of(t.id, k);
+                if (is_of_film(c) && is_border(complex_.twin(c))) {
+                    return c;
+                }
+            }
+            return no_id;
+        };
+        Corner edge = no_id;
+        for (std::size_t i = 0; i < piece_.size() && edge == no_id; ++i) {
+            edge = edge_of_film(piece_[i]);
+        }
+        if (edge == no_id) {
+            return no_id;
+        }
+        const Point<Real> to =
+            (at(complex_.vertex(next(edge))) + at(complex_.vertex(prev(edge)))) / Real(2);
+        const SplitResult split = edge_split(submesh_, edge, to);
+        return split.verdict == Verdict::legal ? split.vertex.id : no_id;
+    }
+
+    // A vertex inside the piece: the only one, or a new one on its longest inner edge. A single
+    // triangle has none: that in the middle of its shortest edge, which the front beyond follows.
+    std::uint32_t vertex_within() {
+        for (int round = 0; round < max_rounds; ++round) {
+            std::vector<std::uint32_t> inside;
+            Corner longest = no_id;
+            Real most = 0;
+            for (const Triangle t : piece_) {
+                if (!complex_.is_alive(t) || complex_.phase(t) != film_) {
+                    continue;
+                }
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                    const Corner c = corner_of(t.id, k);
+                    const std::uint32_t v = complex_.vertex(c);
+                    if (std::ranges::find(ends_, v) == ends_.end() &&
+                        std::ranges::find(inside, v) == inside.end()) {
+                        inside.push_back(v);
+                    }
+                    const Real length = direction(complex_, c).squaredNorm();
+                    if (is_of_film(complex_.twin(c)) && length > most) {
+                        most = length;
+                        longest = c;
+                    }
+                }
+            }
+            if (inside.size() == 1) {
+                return inside.front();
+            }
+            if (inside.empty()) {
+                if (longest == no_id) {
+                    longest = *std::ranges::min_element(outline_, {}, [&](Corner c) {
+                        return direction(complex_, c).squaredNorm();
+                    });
+                }
+                const Point<Real> middle =
+                    (at(complex_.vertex(next(longest))) + at(complex_.vertex(prev(longest)))) /
+                    Real(2);
+                const SplitResult split = edge_split(submesh_, longest, middle);
+                return split.verdict == Verdict::legal ? split.vertex.id : no_id;
+            }
+            if (!remove_inside(work_, Vertex{inside.back()}, Real(0))) {
+                return no_id;
+            }
+        }
+        return no_id;
+    }
+
+    // All of the way, or as much of it as leaves all triangles positive, and a vertex of the domain
+    // boundary exactly on it.
+    void move_towards(std::uint32_t v, Point<Real> place) {
+        const Point<Real> from = at(v);
+        std::array<std::uint32_t, 2> beside{v, v};
+        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+            if (is_border(complex_.twin(prev(c)))) {
+                beside[0] = complex_.vertex(next(c));
+            }
+            if (is_border(complex_.twin(next(c)))) {
+                beside[1] = complex_.vertex(prev(c));
+            }
+        });
+        if (const Point<Real> way = at(beside[1]) - at(beside[0]); beside[0] != beside[1]) {
+            place = at(beside[0]) + (place - at(beside[0])).dot(way) / way.squaredNorm() * way;
+        }
+        for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
+            const Point<Real> to = from + share * (place - from);
+            bool is_positive = orientation<Real>(at(beside[0]), to, at(beside[1])) == 0;
+            for_each_corner(complex_, Vertex{v}, [&](Corner c) {
+                is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
+                                                               at(complex_.vertex(prev(c)))) > 0;
+            });
+            if (is_positive) {
+                rewire::move(complex_, complex_.journal, v, to.x(), to.y(), MoveReason::smoothing);
+                return;
+            }
+        }
+    }
+
+    TopologyWork<Real>& work_;
+    Complex<Real>& complex_;
+    Submesh<Real> submesh_;
+    std::span<const Triangle> piece_;
+    std::span<const Corner> outline_;
+    Phase film_;
+    std::vector<std::uint32_t> ends_; ///< the vertices of the outline
+    Corner boundary_ = no_id;         ///< an edge of it on the domain boundary, if there is one
+};
+
+} // namespace
+
+template <class Real>
+bool close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
+                      std::span<const Corner> outline) {
+    return LastPiece<Real>(work, piece, outline).run();
+}
+
+template bool close_last_piece(TopologyWork<double>&, std::span<const Triangle>,
+                               std::span<const Corner>);
+template bool close_last_piece(TopologyWork<float>&, std::span<const Triangle>,
+                               std::span<const Corner>);
+
+} // namespace dsc
