@@ -15,8 +15,7 @@
 namespace dsc {
 
 template <class Real>
-AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates,
-                            std::span<const std::uint32_t> interface, std::uint32_t round) {
+AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates) {
     // Most candidates face no sheet: they matter only after something else has changed.
     const auto others =
         std::partition(candidates.begin(), candidates.end(), [](const Candidate& candidate) {
@@ -37,7 +36,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
         open_wide_films<Real>(work, candidates);
     }
     open_boundary_films<Real>(work, has_wide ? candidates : notable);
-    meet_fronts<Real>(work, interface, round);
+    meet_fronts(work);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
     change_junctions<Real>(work, notable);
@@ -46,9 +45,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     return give_back(work);
 }
 
-template AreaAccount change_topology(TopologyWork<double>, std::span<Candidate>,
-                                     std::span<const std::uint32_t>, std::uint32_t);
-template AreaAccount change_topology(TopologyWork<float>, std::span<Candidate>,
-                                     std::span<const std::uint32_t>, std::uint32_t);
+template AreaAccount change_topology(TopologyWork<double>, std::span<Candidate>);
+template AreaAccount change_topology(TopologyWork<float>, std::span<Candidate>);
 
 } // namespace dsc

@@ -20,7 +20,6 @@ namespace dsc {
 /// share the search for films and small pieces; all edits are serial, in the order of their
 /// positions.
 template <class Real>
-AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates,
-                            std::span<const std::uint32_t> interface, std::uint32_t round);
+AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates);
 
 } // namespace dsc

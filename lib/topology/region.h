@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 namespace dsc {
@@ -36,6 +37,8 @@ struct TopologyWork {
     Real edge_length;
     double time; ///< of the events
     std::vector<Event>& events;
+    std::span<const std::uint32_t> interface = {}; ///< its vertices
+    std::uint32_t round = 0;                       ///< of the notes on them
     /// Whether a vertex of the interface is blocked, or may be.
     bool has_blocked = true;
     const InShares& in_shares = one_by_one; ///< the threads of the step

@@ -107,9 +107,11 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
                                     .edge_length = edge_length_,
                                     .time = static_cast<double>(between.time),
                                     .events = events_,
+                                    .interface = between.interface,
+                                    .round = round,
                                     .has_blocked = std::ranges::count(has_blocked, true) > 0,
                                     .in_shares = between.in_shares},
-                                   candidates_, between.interface, round);
+                                   candidates_);
 }
 
 template <class Real>

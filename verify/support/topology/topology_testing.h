@@ -92,9 +92,13 @@ inline std::vector<Event> change(Complex<double>& complex,
         interface.push_back(v.id);
     }
     std::vector<Event> events;
-    change_topology<double>(
-        {.complex = complex, .options = options, .edge_length = 1, .time = 0, .events = events},
-        candidates, interface, 0);
+    change_topology<double>({.complex = complex,
+                             .options = options,
+                             .edge_length = 1,
+                             .time = 0,
+                             .events = events,
+                             .interface = interface},
+                            candidates);
     EXPECT_EQ(validate(complex).problem, "");
     return events;
 }

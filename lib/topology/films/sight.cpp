@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/sight.h"
+
+#include "topology/films/bridge.h"
+#include "topology/junctions/sectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+/// A front sees another within its sector of the film, this far from both of its edges (radians).
+constexpr double min_angle = 0.5;
+/// A narrower sector (radians) is the end of a seam or the tip of a film, and no front.
+constexpr double min_sector = 1.9;
+/// Nothing is nearer than this, in edge lengths, where fronts meet within a sub-step.
+constexpr double farthest = 1.25;
+/// A vertex takes the place of a foot that is nearer than this, in edge lengths.
+constexpr double snap = 0.3;
+/// Fronts approach if they come closer by this share of their way.
+constexpr double min_closing = 0.05;
+
+template <class Real>
+class Looking {
+public:
+    explicit Looking(const TopologyWork<Real>& work) : work_(work), complex_(work.complex) {}
+
+    [[nodiscard]] std::optional<Sight<Real>> from(std::uint32_t v) const {
+        if (!complex_.is_alive(Vertex{v}) || complex_.vertices[v].corner == no_id || !may_see(v) ||
+            is_locked(v)) {
+            return {};
+        }
+        Sectors<Real> sectors;
+        find_sectors(complex_, Vertex{v}, sectors);
+        std::optional<Sight<Real>> best;
+        if (sectors.is_on_boundary) {
+            look_along_wall(v, sectors, best);
+            return best;
+        }
+        if (sectors.size() < 2) {
+            return {};
+        }
+        for (std::size_t k = 0; k < sectors.size(); ++k) {
+            look_into(v, sectors, k, best);
+        }
+        return best;
+    }
+
+private:
+    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+    [[nodiscard]] bool is_locked(std::uint32_t v) const {
+        return (complex_.vertices[v].flags & vertex_locked) != 0;
+    }
+
+    // Whether the star of an interface vertex reaches another front at all: nearly none does.
+    [[nodiscard]] bool may_see(std::uint32_t v) const {
+        const Real most = static_cast<Real>(farthest) * work_.edge_length;
+        return find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   if (is_sheet(complex_, c)) {
+                       return true;
+                   }
+                   if (is_border(complex_.twin(prev(c)))) {
+                       return true;
+                   }
+                   const std::uint32_t w = complex_.vertex(next(c));
+                   return !is_outline(complex_, prev(c)) &&
+                          (work_.notes[Vertex{w}].round == work_.round || is_on_seam(work_, w)) &&
+                          (at(w) - at(v)).norm() < Real(1.5) * most;
+               }) != no_id;
+    }
+
+    void look_into(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
+                   std::optional<Sight<Real>>& best) const {
+        const Sector<Real>& sector = sectors[k];
+        if (sector.angle < min_sector && !is_pocket(sector)) {
+            return;
+        }
+        Corner c = sector.first;
+        for (std::size_t i = 0; i < sector.count; ++i, c = corner_ccw(complex_, c)) {
+            if (is_sheet(complex_, c)) {
+                look_at_edge(v, sectors, k, c, best);
+            }
+            if (i + 1 < sector.count) {
+                look_at_vertex(v, sectors, k, complex_.vertex(prev(c)), Real(-1), best);
+            }
+        }
+    }
+
+    // A triangle of the film that fronts enclose.
+    [[nodiscard]] bool is_pocket(const Sector<Real>& sector) const {
+        return sector.count == 1 && is_sheet(complex_, sector.first);
+    }
+
+    // 0 where fronts must not meet.
+    [[nodiscard]] Real contact(Phase film, Phase other) const {
+        const auto rule = rule_of(work_.options, work_.edge_length, film, other);
+        return rule.rule != Topology::change ? Real(0)
+               : is_wide(rule.contact, work_.edge_length)
+                   ? static_cast<Real>(default_contact) * work_.edge_length
+                   : rule.contact;
+    }
+
+    [[nodiscard]] static bool faces(const Sector<Real>& sector, const Point<Real>& towards) {
+        const double angle = angle_between(sector.ray, towards);
+        return angle >= min_angle && sector.angle - angle >= min_angle;
+    }
+    [[nodiscard]] static Point<Real> middle_of(const Sector<Real>& sector) {
+        const auto half = static_cast<Real>(sector.angle / 2);
+        const Point<Real>& ray = sector.ray;
+        return {ray.x() * std::cos(half) - ray.y() * std::sin(half),
+                ray.x() * std::sin(half) + ray.y() * std::cos(half)};
+    }
+    // The phase beyond the side of the sector that a direction in it is nearer to.
+    [[nodiscard]] static Phase beyond(const Sectors<Real>& sectors, std::size_t k,
+                                      const Point<Real>& towards) {
+        return angle_between(sectors[k].ray, towards) < sectors[k].angle / 2
+                   ? sectors.before(k).phase
+                   : sectors.after(k).phase;
+    }
+
+    void look_at_edge(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k, Corner c,
+                      std::optional<Sight<Real>>& best) const {
+        const Sector<Real>& sector = sectors[k];
+        const std::uint32_t a = complex_.vertex(next(c));
+        const std::uint32_t b = complex_.vertex(prev(c));
+        const Point<Real> way = at(b) - at(a);
+        const Real length = way.norm();
+        const Real share = (at(v) - at(a)).dot(way) / (length * length);
+        if (!(share > 0 && share < 1)) {
+            return; // an end is nearer
+        }
+        const Point<Real> across = at(a) + share * way - at(v);
+        const Real gap = across.norm();
+        const bool encloses = is_sheet(complex_, next(c)) && is_sheet(complex_, prev(c));
+        const Point<Real> towards = across / gap;
+        if (best && !(gap < best->gap)) {
+            return;
+        }
+        if (!encloses && !faces(sector, towards)) {
+            return;
+        }
+        const Real near = static_cast<Real>(snap) * work_.edge_length;
+        const bool is_first = share < Real(0.5);
+        const std::uint32_t end = is_first ? a : b;
+        if ((is_first ? share : 1 - share) * length < near && is_inside(sector, end)) {
+            look_at_vertex(v, sectors, k, end, gap, best);
+            return;
+        }
+        Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
+        sight.one = beyond(sectors, k, towards);
+        sight.other = phase_beyond(complex_, c);
+        sight.normal_v = middle_of(sector);
+        sight.normal_q = {-way.y() / length, way.x() / length};
+        if (closes(sight, towards, encloses)) {
+            best = sight;
+        }
+    }
+
+    // Whether an edge from the sector's vertex to another lies within it.
+    [[nodiscard]] bool is_inside(const Sector<Real>& sector, std::uint32_t w) const {
+        Corner c = sector.first;
+        for (std::size_t i = 0; i + 1 < sector.count; ++i, c = corner_ccw(complex_, c)) {
+            if (complex_.vertex(prev(c)) == w) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // `gap`: to a foot near the vertex; negative: to the vertex.
+    void look_at_vertex(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
+                        std::uint32_t q, Real gap, std::optional<Sight<Real>>& best) const {
+        const Point<Real> way = at(q) - at(v);
+        const Real length = way.norm();
+        const Real most = static_cast<Real>(farthest) * work_.edge_length;
+        const bool is_at_foot = gap >= 0;
+        gap = is_at_foot ? gap : length;
+        const Point<Real> towards = way / length;
+        if (!(length < Real(1.5) * most) || (best && !(gap < best->gap)) ||
+            (!is_at_foot && !faces(sectors[k], towards)) || is_locked(q)) {
+            return;
+        }
+        Sectors<Real> there;
+        find_sectors(complex_, Vertex{q}, there);
+        if (there.size() < 2 || there.is_on_boundary) {
+            return;
+        }
+        for (std::size_t i = 0; i < there.size(); ++i) {
+            const Sector<Real>& sector = there[i];
+            const Point<Real> back = -towards;
+            if (sector.phase != sectors[k].phase ||
+                angle_between(sector.ray, back) >= sector.angle) {
+                continue;
+            }
+            if (sector.angle < min_sector || (!is_at_foot && !faces(sector, back))) {
+                return;
+            }
+            Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
+            sight.one = beyond(sectors, k, towards);
+            sight.other = beyond(there, i, back);
+            sight.normal_v = middle_of(sectors[k]);
+            sight.normal_q = middle_of(sector);
+            if (closes(sight, towards, false)) {
+                best = sight;
+            }
+            return;
+        }
+    }
+
+    // From the end of a front on the domain boundary along it, with the domain on the left, to the
+    // end of another.
+    void look_along_wall(std::uint32_t v, const Sectors<Real>& sectors,
+                         std::optional<Sight<Real>>& best) const {
+        if (sectors.size() < 2 || sectors.is_at_corner) {
+            return;
+        }
+        const Phase film = sectors[0].phase;
+        Corner edge = prev(sectors[0].first); // leaves v
+        Sectors<Real> there;
+        for (int i = 0; i < edges_along_wall && is_border(complex_.twin(edge)); ++i) {
+            const std::uint32_t q = complex_.vertex(prev(edge));
+            find_sectors(complex_, Vertex{q}, there);
+            if (!there.is_on_boundary || there.is_at_corner || is_locked(q)) {
+                return;
+            }
+            if (there.size() > 1) {
+                const Point<Real> way = at(q) - at(v);
+                const Real gap = way.norm();
+                Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = film};
+                sight.one = sectors[1].phase;
+                sight.other = there[there.size() - 2].phase;
+                sight.normal_v = way / gap;
+                sight.normal_q = -way / gap;
+                sight.is_on_boundary = true;
+                if (gap < static_cast<Real>(farthest) * work_.edge_length &&
+                    closes(sight, Point<Real>(way / gap), false)) {
+                    best = sight;
+                }
+                return;
+            }
+            const Corner at_q = find_corner(
+                complex_, Vertex{q}, [&](Corner c) { return is_border(complex_.twin(prev(c))); });
+            if (at_q == no_id) {
+                return;
+            }
+            edge = prev(at_q);
+        }
+    }
+
+    [[nodiscard]] std::optional<Point<Real>> way_of(std::uint32_t v) const {
+        return work_.notes[Vertex{v}].round == work_.round
+                   ? std::optional<Point<Real>>(at(v) - place_before(work_, v))
+                   : std::nullopt;
+    }
+    [[nodiscard]] bool is_blocked(std::uint32_t v) const {
+        return (complex_.vertices[v].flags & vertex_contact) != 0;
+    }
+
+    // Whether the fronts meet now, or would in another sub-step like the last one; notes their
+    // speeds. A pocket closes in any case.
+    bool closes(Sight<Real>& sight, const Point<Real>& towards, bool is_enclosed) const {
+        const Real reach =
+            std::min(contact(sight.film, sight.one), contact(sight.film, sight.other));
+        if (!(reach > 0) || !meet_in_points(sight.film, sight.one, sight.other) ||
+            sight.one == border_phase || sight.other == border_phase || sight.film == sight.one ||
+            sight.film == sight.other) {
+            return false;
+        }
+        std::optional<Point<Real>> other_way;
+        bool is_held = is_blocked(sight.v);
+        if (sight.q != no_id) {
+            other_way = way_of(sight.q);
+            is_held = is_held || is_blocked(sight.q);
+        } else {
+            const std::uint32_t a = complex_.vertex(next(sight.edge));
+            const std::uint32_t b = complex_.vertex(prev(sight.edge));
+            const auto way_a = way_of(a);
+            const auto way_b = way_of(b);
+            other_way =
+                way_a && way_b
+                    ? std::optional<Point<Real>>((1 - sight.share) * *way_a + sight.share * *way_b)
+                : way_a ? way_a
+                        : way_b;
+            is_held = is_held || is_blocked(a) || is_blocked(b);
+        }
+        const auto own_way = way_of(sight.v);
+        const Point<Real> none = Point<Real>::Zero();
+        sight.speed_v = own_way.value_or(none).dot(towards);
+        sight.speed_q = -other_way.value_or(none).dot(towards);
+        const Real closing = sight.speed_v + sight.speed_q;
+        const Real way = own_way.value_or(none).norm() + other_way.value_or(none).norm();
+        if (is_held) {
+            sight.speed_v = sight.speed_q = 1;
+        } else if (!is_enclosed && work_.options.opening == Opening::squeezed &&
+                   !(own_way && other_way && closing > static_cast<Real>(min_closing) * way)) {
+            return false;
+        }
+        return is_enclosed || sight.gap < std::max(reach, closing);
+    }
+
+    const TopologyWork<Real>& work_;
+    const Complex<Real>& complex_;
+};
+
+} // namespace
+
+template <class Real>
+std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v) {
+    return Looking<Real>(work).from(v);
+}
+
+template std::optional<Sight<double>> see_front(const TopologyWork<double>&, std::uint32_t);
+template std::optional<Sight<float>> see_front(const TopologyWork<float>&, std::uint32_t);
+
+} // namespace dsc

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What a vertex of a front sees across a film: a vertex or an edge of another front, which comes
+// closer.
+#pragma once
+
+#include "topology/region.h"
+
+#include <optional>
+
+namespace dsc {
+
+/// A vertex of a front, and what it sees across a film.
+template <class Real>
+struct Sight {
+    std::uint32_t v = no_id;
+    std::uint32_t q = no_id; ///< a vertex of the other front...
+    Corner edge = no_id;     ///< ...or the edge on which its foot lies,
+    Real share = 0;          ///< at this share of it
+    Real gap = 0;
+    Phase film = 0;
+    Phase one = 0;                              ///< beyond v
+    Phase other = 0;                            ///< beyond q
+    Point<Real> normal_v = Point<Real>::Zero(); ///< of the fronts, into the film
+    Point<Real> normal_q = Point<Real>::Zero();
+    Real speed_v = 0; ///< ways towards each other in the last sub-step
+    Real speed_q = 0;
+    bool is_on_boundary = false; ///< both lie on the domain boundary
+};
+
+/// The nearest that meets the vertex now, or would in another sub-step like the last one. Only
+/// reads. O(degrees).
+template <class Real>
+[[nodiscard]] std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v);
+
+/// Edges of the domain boundary between the ends of two fronts that see each other along it.
+inline constexpr int edges_along_wall = 4;
+
+} // namespace dsc
