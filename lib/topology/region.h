@@ -64,13 +64,9 @@ template <class Real>
     return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
 }
 
-/// Whether two fronts that displace a film meet in points (meeting.h): those of different phases
-/// do, if one of the three is the exterior. A thin phase between two others is a grain that
-/// vanishes; it is relabelled.
-[[nodiscard]] constexpr bool meet_in_points(Phase film, Phase one, Phase other) {
-    return one != other &&
-           (film == exterior_phase || one == exterior_phase || other == exterior_phase);
-}
+/// Whether fronts of different phases that displace this one meet in points (meeting.h): those that
+/// grow into the exterior do. A thin phase among others is a grain that vanishes; it is relabelled.
+[[nodiscard]] constexpr bool meet_in_points(Phase film) { return film == exterior_phase; }
 
 /// The phase on the right of the half-edge.
 template <class Real>

@@ -174,8 +174,8 @@ bool find_bridge(const TopologyWork<Real>& work, std::span<const Candidate> cand
         const Corner opposite = side == next(sheet) ? prev(across) : next(across);
         std::array<Corner, 3> others{};
         if (sheets_of(complex, u, others) != 1 || others[0] != opposite ||
-            meet_in_points(complex.phase(t), phase_beyond(complex, sheet),
-                           phase_beyond(complex, opposite))) {
+            (meet_in_points(complex.phase(t)) &&
+             phase_beyond(complex, sheet) != phase_beyond(complex, opposite))) {
             continue;
         }
         // First the test that rejects most triangles: no film is squeezed in a flow that keeps

@@ -168,7 +168,6 @@ private:
         complex_.vertices[kept].flags &=
             ~static_cast<std::uint32_t>(vertex_contact | vertex_feature | vertex_on_way);
         Note& note = work_.notes[Vertex{kept}];
-        note.what |= noted_seam;
         note.round = 0; // where it was before says nothing about a front
         work_.touched.push_back(Vertex{kept});
         for (const std::uint32_t w : link_of(complex_, kept)) {

@@ -342,6 +342,12 @@ private:
         return piece_.size() <= max_share_of_piece && doubled / 2 < min_area(work_);
     }
 
+    // Between a front and the seam with another, or between two fronts: the fronts meet in points.
+    [[nodiscard]] static bool is_corner_of_front(Phase film, Phase one, Phase other) {
+        return one != other &&
+               (meet_in_points(film) || meet_in_points(one) || meet_in_points(other));
+    }
+
     // Closes a triangle that has only one open side left: it goes to the phase beyond its longest
     // sheet. Returns that phase, or its own if it stays; `closed_` is its area.
     Phase close(Triangle t) {
@@ -356,7 +362,7 @@ private:
             if (is_border(c) || !(contact_at(work_, c) > 0)) {
                 continue;
             }
-            if (to != film && meet_in_points(film, to, phase_beyond(complex_, c))) {
+            if (to != film && is_corner_of_front(film, to, phase_beyond(complex_, c))) {
                 return film;
             }
             const Real length = direction(complex_, c).squaredNorm();

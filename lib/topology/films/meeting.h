@@ -2,7 +2,7 @@
 // Fronts of different phases that meet. A vertex of one front and its foot on the other, across a
 // film, become one vertex where the two meet: on the bisector of their tangents, the gap divided as
 // they approach. No triangle changes its phase, so the seam between the fronts is of second order.
-// Only where the exterior is one of the three phases: `meet_in_points` (region.h).
+// Only where they displace the exterior: `meet_in_points` (region.h).
 // The film closes from there outwards, as far as it is thinner than the contact distance or than
 // what the fronts approach in a sub-step: one event for each place where fronts meet first. Films
 // at sides and within one phase are the matter of boundary_films.h, landing.h and films.h.

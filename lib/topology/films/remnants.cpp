@@ -162,7 +162,7 @@ private:
         event.x /= event.area;
         event.y /= event.area;
         const bool is_shared =
-            phase == exterior_phase && close_last_piece<Real>(work_, piece_, outline_);
+            meet_in_points(phase) && close_last_piece<Real>(work_, piece_, outline_);
         for (const Triangle t : piece_) {
             if (!is_shared && complex_.is_alive(t) && complex_.phase(t) == phase) {
                 give(work_, t, to);

@@ -66,7 +66,8 @@ private:
                    }
                    const std::uint32_t w = complex_.vertex(next(c));
                    return !is_outline(complex_, prev(c)) &&
-                          (work_.notes[Vertex{w}].round == work_.round || is_on_seam(work_, w)) &&
+                          (work_.notes[Vertex{w}].round == work_.round ||
+                           work_.notes[Vertex{w}].round == 0) &&
                           (at(w) - at(v)).norm() < Real(1.5) * most;
                }) != no_id;
     }
@@ -263,7 +264,7 @@ private:
     bool closes(Sight<Real>& sight, const Point<Real>& towards, bool is_enclosed) const {
         const Real reach =
             std::min(contact(sight.film, sight.one), contact(sight.film, sight.other));
-        if (!(reach > 0) || !meet_in_points(sight.film, sight.one, sight.other) ||
+        if (!(reach > 0) || !meet_in_points(sight.film) || sight.one == sight.other ||
             sight.one == border_phase || sight.other == border_phase || sight.film == sight.one ||
             sight.film == sight.other) {
             return false;
