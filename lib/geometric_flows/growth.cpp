@@ -127,11 +127,16 @@ private:
         Point<Real> y = Point<Real>::Zero();
         Point<Real> right = Point<Real>::Zero();
         Point<Real> boundary = Point<Real>::Zero();
+        Point<Real> inwards = Point<Real>::Zero(); // of the domain
+        Point<Real> sheet = Point<Real>::Zero();
+        int sheets = 0; // that move
         Real fastest = 0;
         for (const InterfaceArm& arm : arms_of(view_, i)) {
             const Point<Real> along = -tangent_to(i, arm.neighbour);
             if (arm.left == border_phase || arm.right == border_phase) {
                 boundary = along;
+                inwards = arm.left == border_phase ? right_of<Real>(along)
+                                                   : Point<Real>(-right_of<Real>(along));
                 continue;
             }
             const Point<Real> n = right_of<Real>(along);
@@ -140,6 +145,10 @@ private:
             y += n.y() * n;
             right += speed * n;
             fastest = std::max(fastest, std::abs(speed));
+            if (speed != 0) {
+                sheet = along;
+                ++sheets;
+            }
         }
         Point<Real> velocity = Point<Real>::Zero();
         if (view_.is_on_boundary(i)) {
@@ -147,6 +156,11 @@ private:
             // the interface: the pass of movement keeps the vertex on it in any case.
             const Real across = boundary.x() * x.dot(boundary) + boundary.y() * y.dot(boundary);
             velocity = across > 0 ? Point<Real>(boundary.dot(right) / across * boundary) : right;
+            // Within a sub-step the next vertex may be on the other side of the domain boundary:
+            // the end moves on, and does not turn round.
+            if (sheets == 1 && sheet.dot(inwards) < 0 && sheet.dot(velocity) < 0) {
+                velocity = -velocity;
+            }
         } else if (const Real determinant = cross<Real>(x, y);
                    determinant > straight_ * straight_) {
             velocity = {cross<Real>(right, Point<Real>(x.y(), y.y())) / determinant,
@@ -155,8 +169,25 @@ private:
             velocity = right; // a single sheet, or a straight line
         }
         const Real size = velocity.norm();
-        const Real max = static_cast<Real>(options_.max_notch) * fastest;
+        const Real max = size > fastest ? fastest * notch_of(i, velocity / size) : fastest;
         return size > max ? Point<Real>(max / size * velocity) : velocity;
+    }
+
+    // How many times faster than its sheets a junction may move in this direction. Where all moving
+    // sheets trail behind it, it is the tip of what grows, which spreads as an arc: no faster than
+    // they, although their offsets intersect farther on. A sheet that leans forward at an angle
+    // allows 1 / sin of it, so that nothing jumps between the two.
+    [[nodiscard]] Real notch_of(std::size_t i, const Point<Real>& direction) const {
+        Real forward = 0; // the cosine for the sheet that leans forward most
+        for (const InterfaceArm& arm : arms_of(view_, i)) {
+            if (arm.left != border_phase && arm.right != border_phase &&
+                speed_at(i, arm.left, arm.right) != 0) {
+                forward = std::max(forward, -tangent_to(i, arm.neighbour).dot(direction));
+            }
+        }
+        const Real sine = std::sqrt(std::max(1 - forward * forward, Real(0)));
+        const Real max = static_cast<Real>(options_.max_notch);
+        return sine * max > 1 ? 1 / sine : max;
     }
 
     const GrowthOptions<Real>& options_;
