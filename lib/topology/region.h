@@ -29,6 +29,9 @@ struct Transfer {
     Triangle near;
 };
 
+template <class Real>
+struct SightScratch; // films/sight.h
+
 /// The state that changes of topology work on.
 template <class Real>
 struct TopologyWork {
@@ -46,8 +49,9 @@ struct TopologyWork {
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
     /// Vertices of triangles that changed their phase; some may now have too many sectors.
     std::vector<Vertex> touched = {};
-    std::vector<Transfer> transfers = {}; ///< recorded if area must be given back
-    double swept = 0;                     ///< area, by merged junctions; the next event reports it
+    std::vector<Transfer> transfers = {};      ///< recorded if area must be given back
+    std::span<SightScratch<Real>> sights = {}; ///< one for each range of places
+    double swept = 0; ///< area, by merged junctions; the next event reports it
     /// The candidates that were blocked before the change, ascending.
     std::vector<std::uint32_t> blocked = {};
 };

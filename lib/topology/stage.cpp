@@ -101,6 +101,7 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
         }
     };
     look_in_ranges(between.in_shares, candidates_.size(), look);
+    sights_.resize(ranges_of_places);
     std::erase_if(candidates_, [](const auto& candidate) { return candidate.vertex == no_id; });
     area_ += change_topology<Real>({.complex = between.complex,
                                     .options = options_,
@@ -110,7 +111,8 @@ void TopologyStage<Real>::run(const Between<Real>& between) {
                                     .interface = between.interface,
                                     .round = round,
                                     .has_blocked = std::ranges::count(has_blocked, true) > 0,
-                                    .in_shares = between.in_shares},
+                                    .in_shares = between.in_shares,
+                                    .sights = sights_},
                                    candidates_);
 }
 

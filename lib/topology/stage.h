@@ -7,6 +7,7 @@
 #include "dsc/passes/algorithm.h"
 #include "topology/candidates.h"
 #include "topology/events.h"
+#include "topology/films/sight.h"
 #include "topology/notes.h"
 #include "topology/options.h"
 
@@ -56,8 +57,9 @@ private:
     VertexAttribute<NotedPlace<Real>>* places_ = nullptr;
     Real edge_length_ = 0;
     Notability<Real> notable_;
-    std::uint32_t round_ = 2;           ///< of the next notes; 0: a vertex without a note
-    std::vector<Candidate> candidates_; ///< scratch of run
+    std::uint32_t round_ = 2;                ///< of the next notes; 0: a vertex without a note
+    std::vector<Candidate> candidates_;      ///< scratch of run
+    std::vector<SightScratch<Real>> sights_; ///< scratch of run
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these
     AreaAccount area_;

@@ -26,7 +26,12 @@ template <class Real>
 class Meeting {
 public:
     explicit Meeting(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), submesh_(work.complex) {}
+        : work_(work), complex_(work.complex), submesh_(work.complex) {
+        if (work.sights.empty()) {
+            own_.resize(ranges_of_places);
+            work.sights = own_;
+        }
+    }
 
     void run() {
         for (const std::uint32_t v : vertices_that_see()) {
@@ -37,7 +42,7 @@ public:
                  --left) {
                 const std::uint32_t next = ahead.back();
                 ahead.pop_back();
-                if (const auto sight = see_front(work_, next)) {
+                if (const auto sight = see_front(work_, work_.sights[0], next)) {
                     const std::uint32_t kept = join(*sight);
                     if (kept != no_id && work_.options.follows_seams) {
                         add_around(kept, ahead);
@@ -58,7 +63,7 @@ private:
                        [&](std::size_t range, std::size_t begin, std::size_t end) {
                            for (const std::uint32_t v :
                                 work_.interface.subspan(begin, end - begin)) {
-                               if (const auto sight = see_front(work_, v)) {
+                               if (const auto sight = see_front(work_, work_.sights[range], v)) {
                                    parts[range].emplace_back(sight->gap, at(v).x(), at(v).y(), v);
                                }
                            }
@@ -233,7 +238,8 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh<Real> submesh_;
-    std::size_t begun_ = 0; ///< the first event of the place from which fronts close
+    std::vector<SightScratch<Real>> own_; ///< if the caller gives none
+    std::size_t begun_ = 0;               ///< the first event of the place from which fronts close
 };
 
 } // namespace

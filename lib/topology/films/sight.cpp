@@ -25,14 +25,15 @@ constexpr double min_closing = 0.05;
 template <class Real>
 class Looking {
 public:
-    explicit Looking(const TopologyWork<Real>& work) : work_(work), complex_(work.complex) {}
+    Looking(const TopologyWork<Real>& work, SightScratch<Real>& scratch)
+        : work_(work), complex_(work.complex), scratch_(scratch) {}
 
     [[nodiscard]] std::optional<Sight<Real>> from(std::uint32_t v) const {
         if (!complex_.is_alive(Vertex{v}) || complex_.vertices[v].corner == no_id || !may_see(v) ||
             is_locked(v)) {
             return {};
         }
-        Sectors<Real> sectors;
+        Sectors<Real>& sectors = scratch_.here;
         find_sectors(complex_, Vertex{v}, sectors);
         std::optional<Sight<Real>> best;
         if (sectors.is_on_boundary) {
@@ -183,7 +184,7 @@ private:
             (!is_at_foot && !faces(sectors[k], towards)) || is_locked(q)) {
             return;
         }
-        Sectors<Real> there;
+        Sectors<Real>& there = scratch_.there;
         find_sectors(complex_, Vertex{q}, there);
         if (there.size() < 2 || there.is_on_boundary) {
             return;
@@ -219,7 +220,7 @@ private:
         }
         const Phase film = sectors[0].phase;
         Corner edge = prev(sectors[0].first); // leaves v
-        Sectors<Real> there;
+        Sectors<Real>& there = scratch_.there;
         for (int i = 0; i < edges_along_wall && is_border(complex_.twin(edge)); ++i) {
             const std::uint32_t q = complex_.vertex(prev(edge));
             find_sectors(complex_, Vertex{q}, there);
@@ -303,16 +304,20 @@ private:
 
     const TopologyWork<Real>& work_;
     const Complex<Real>& complex_;
+    SightScratch<Real>& scratch_;
 };
 
 } // namespace
 
 template <class Real>
-std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v) {
-    return Looking<Real>(work).from(v);
+std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, SightScratch<Real>& scratch,
+                                     std::uint32_t v) {
+    return Looking<Real>(work, scratch).from(v);
 }
 
-template std::optional<Sight<double>> see_front(const TopologyWork<double>&, std::uint32_t);
-template std::optional<Sight<float>> see_front(const TopologyWork<float>&, std::uint32_t);
+template std::optional<Sight<double>> see_front(const TopologyWork<double>&, SightScratch<double>&,
+                                                std::uint32_t);
+template std::optional<Sight<float>> see_front(const TopologyWork<float>&, SightScratch<float>&,
+                                               std::uint32_t);
 
 } // namespace dsc

@@ -3,6 +3,7 @@
 // closer.
 #pragma once
 
+#include "topology/junctions/sectors.h"
 #include "topology/region.h"
 
 #include <optional>
@@ -27,10 +28,18 @@ struct Sight {
     bool is_on_boundary = false; ///< both lie on the domain boundary
 };
 
-/// The nearest that meets the vertex now, or would in another sub-step like the last one. Only
+/// The arrays of one thread.
+template <class Real>
+struct SightScratch {
+    Sectors<Real> here;
+    Sectors<Real> there;
+};
+
+/// The nearest that meets the vertex now, or would in the next sub-step. Only
 /// reads. O(degrees).
 template <class Real>
-[[nodiscard]] std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v);
+[[nodiscard]] std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work,
+                                                   SightScratch<Real>& scratch, std::uint32_t v);
 
 /// Edges of the domain boundary between the ends of two fronts that see each other along it.
 inline constexpr int edges_along_wall = 4;
