@@ -205,7 +205,7 @@ private:
         for (int round = 0; round < max_rounds; ++round) {
             std::vector<std::uint32_t> inside;
             Corner longest = no_id;
-            Real most = 0;
+            Real max_length = 0;
             for (const Triangle t : piece_) {
                 if (!complex_.is_alive(t) || complex_.phase(t) != film_) {
                     continue;
@@ -218,8 +218,8 @@ private:
                         inside.push_back(v);
                     }
                     const Real length = direction(complex_, c).squaredNorm();
-                    if (is_of_film(complex_.twin(c)) && length > most) {
-                        most = length;
+                    if (is_of_film(complex_.twin(c)) && length > max_length) {
+                        max_length = length;
                         longest = c;
                     }
                 }

@@ -117,10 +117,10 @@ private:
         if (!(std::abs(rate) > 0)) {
             return p;
         }
-        const Real most = (q - v).norm() / 2;
+        const Real max_offset = (q - v).norm() / 2;
         const Real along =
             (speed_v * (p - q).dot(sight.normal_q) - speed_q * (p - v).dot(sight.normal_v)) / rate;
-        return p + std::clamp(along, -most, most) * across;
+        return p + std::clamp(along, -max_offset, max_offset) * across;
     }
 
     // Returns the vertex that is left; none if triangles are in the way.

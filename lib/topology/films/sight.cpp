@@ -57,7 +57,7 @@ private:
 
     // Whether the star of an interface vertex reaches another front at all: nearly none does.
     [[nodiscard]] bool may_see(std::uint32_t v) const {
-        const Real most = static_cast<Real>(farthest) * work_.edge_length;
+        const Real max_gap = static_cast<Real>(farthest) * work_.edge_length;
         return find_corner(complex_, Vertex{v}, [&](Corner c) {
                    if (is_sheet(complex_, c)) {
                        return true;
@@ -69,7 +69,7 @@ private:
                    return !is_outline(complex_, prev(c)) &&
                           (work_.notes[Vertex{w}].round == work_.round ||
                            work_.notes[Vertex{w}].round == 0) &&
-                          (at(w) - at(v)).norm() < Real(1.5) * most;
+                          (at(w) - at(v)).norm() < Real(1.5) * max_gap;
                }) != no_id;
     }
 
@@ -176,11 +176,11 @@ private:
                         std::uint32_t q, Real gap, std::optional<Sight<Real>>& best) const {
         const Point<Real> way = at(q) - at(v);
         const Real length = way.norm();
-        const Real most = static_cast<Real>(farthest) * work_.edge_length;
+        const Real max_gap = static_cast<Real>(farthest) * work_.edge_length;
         const bool is_at_foot = gap >= 0;
         gap = is_at_foot ? gap : length;
         const Point<Real> towards = way / length;
-        if (!(length < Real(1.5) * most) || (best && !(gap < best->gap)) ||
+        if (!(length < Real(1.5) * max_gap) || (best && !(gap < best->gap)) ||
             (!is_at_foot && !faces(sectors[k], towards)) || is_locked(q)) {
             return;
         }

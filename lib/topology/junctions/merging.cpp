@@ -212,7 +212,7 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
     };
     const auto flip_best = [&](Corner worst) {
         Corner best = no_id;
-        Real most = height(worst);
+        Real best_height = height(worst);
         for (const Corner c : {worst, next(worst), prev(worst)}) {
             const Corner o = complex.twin(c);
             if (is_border(o) || is_sheet(complex, c)) {
@@ -220,8 +220,8 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
             }
             const Real after = std::min(height_over_longest<Real>(at(c), at(next(c)), at(o)),
                                         height_over_longest<Real>(at(o), at(prev(c)), at(c)));
-            if (after > most) {
-                most = after;
+            if (after > best_height) {
+                best_height = after;
                 best = c;
             }
         }
@@ -241,10 +241,10 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
     };
     for (int round = 0; round < max_rounds && complex.is_alive(v); ++round) {
         Corner worst = no_id;
-        auto least = static_cast<Real>(slender);
+        auto min_height = static_cast<Real>(slender);
         for_each_corner(complex, v, [&](Corner c) {
-            if (const Real one = height(c); one < least) {
-                least = one;
+            if (const Real one = height(c); one < min_height) {
+                min_height = one;
                 worst = c;
             }
         });
