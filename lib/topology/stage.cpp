@@ -68,7 +68,17 @@ std::optional<Pass<Real>> TopologyStage<Real>::pass() {
 
 template <class Real>
 void TopologyStage<Real>::run(const Between<Real>& between) {
-    const std::uint32_t round = round_++;
+    run_round(between, round_++);
+}
+
+template <class Real>
+void TopologyStage<Real>::run_again(const Between<Real>& between) {
+    run_round(between, round_ - 1);
+}
+
+// `round`: of the notes.
+template <class Real>
+void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t round) {
     if (notable_.contact == 0) {
         return;
     }

@@ -45,11 +45,13 @@ public:
     void begin(Complex<Real>& complex, const Options<Real>& options) override;
     [[nodiscard]] std::optional<Pass<Real>> pass() override;
     void run(const Between<Real>& between) override;
+    void run_again(const Between<Real>& between) override;
     void tell() override;
     void archive(Archive& archive) override;
 
 private:
     void find_notability();
+    void run_round(const Between<Real>& between, std::uint32_t round);
 
     TopologyOptions<Real> options_;
     Complex<Real>* complex_ = nullptr; ///< of the simulation; null before there is one

@@ -282,5 +282,24 @@ TEST(Pieces, AreSharedAsTheFrontsAroundThemReachThem) {
     EXPECT_NEAR(phase_area(complex, 3), 8 + 0.25, 1e-3);
 }
 
+// The nearest vertex of the other front is in a notch, and is no front itself: the fronts meet
+// where the one is, on the edge of the other.
+TEST(Fronts, MeetOnTheEdgeBesideANotch) {
+    const std::vector<P> points{{0, 0},   {2, 0}, {0.2, 1e-4}, {-0.4, 1.5},
+                                {0, 1.5}, {2, 1}, {0.5, -2},   {-2, 0}};
+    enum : std::uint32_t { notch, right, tip, left, top, high, low, far };
+    const std::vector<std::array<std::uint32_t, 3>> triangles{
+        {notch, right, tip}, {right, high, tip},  {notch, tip, left}, {left, tip, top},
+        {tip, high, top},    {low, right, notch}, {far, low, notch},  {far, notch, left}};
+    auto complex =
+        make_complex<double>(points, triangles, std::vector<Phase>{0, 0, 0, 0, 2, 1, 1, 1});
+    complex.vertices[tip].flags |= vertex_contact;
+    const auto events = change(complex);
+    ASSERT_GE(events.size(), 1U);
+    EXPECT_EQ(events[0].kind, EventKind::meet);
+    EXPECT_NEAR(events[0].x, 0.2, 1e-3);
+    EXPECT_NEAR(events[0].y, 0, 1e-4);
+}
+
 } // namespace
 } // namespace dsc::junctions_test

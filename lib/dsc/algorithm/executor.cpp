@@ -284,7 +284,6 @@ std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
         }
     }
     const std::size_t left = whole_.moving_vertices.size();
-    whole_.moving_vertices.clear();
     end_movement();
     return missed - left;
 }

@@ -102,9 +102,13 @@ public:
     /// Movement and mesh update, until all vertices are at their targets or make no more progress.
     virtual MoveReport move();
     /// Moves the vertices that did not arrive once more, after a stage has edited the complex,
-    /// which may have unblocked them. `gone` are the vertices that the stage took off the
-    /// interface, ascending. Returns how many have arrived now, or are no longer to be moved.
+    /// which may have unblocked them. `gone` are those whose targets are void, ascending. Returns
+    /// how many have arrived now, or are no longer to be moved.
     [[nodiscard]] std::uint64_t move_missed(std::span<const std::uint32_t> gone);
+    /// The vertices that did not arrive, between `move` and the next step.
+    [[nodiscard]] std::span<const MovingVertex<Real>> missed() const {
+        return whole_.moving_vertices;
+    }
     /// The threads of the step, for serial work that can be shared.
     [[nodiscard]] const InShares& in_shares() const { return in_shares_; }
     /// Called after the last sub-step, also after an exception.

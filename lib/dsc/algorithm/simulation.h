@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dsc {
@@ -204,7 +205,8 @@ private:
     void absorb(By by, Real time);
     void begin_options(const Options<Real>& before);
     void expect_between_steps(const char* where) const;
-    std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, bool has_missed);
+    std::uint64_t run_stages(Real time, Real dt, std::uint64_t unreached, std::uint64_t missed);
+    bool run_each_stage(Real time, Real dt, std::uint64_t unreached, bool is_again);
     [[nodiscard]] std::vector<std::uint32_t> moved() const;
     void begin_integrator();
     void forget_past(std::span<const std::uint32_t> vertices);
@@ -222,12 +224,13 @@ private:
     std::vector<EditListener> listeners_;
     std::vector<std::shared_ptr<Stage<Real>>> stages_;
     std::vector<std::uint32_t> to_stages_; ///< scratch of run_stages
-    std::vector<std::uint32_t> gone_;      ///< vertices that stages took off the interface
-    std::uint32_t swept_ = 0;              ///< the vertex at which the slow sweep continues
-    std::vector<std::uint32_t> to_sweep_;  ///< scratch of sweep, and of the count of the interface
-    LogReader reading_;                    ///< of the journal, while the simulation lives
-    std::size_t absorbed_;                 ///< records of the journal that have been read
-    std::vector<Edit> absorbing_;          ///< scratch of absorb
+    std::vector<std::uint32_t> gone_;      ///< vertices whose targets are void after the stages
+    std::vector<std::pair<std::uint32_t, Phase>> around_missed_; ///< before the stages
+    std::uint32_t swept_ = 0;             ///< the vertex at which the slow sweep continues
+    std::vector<std::uint32_t> to_sweep_; ///< scratch of sweep, and of the count of the interface
+    LogReader reading_;                   ///< of the journal, while the simulation lives
+    std::size_t absorbed_;                ///< records of the journal that have been read
+    std::vector<Edit> absorbing_;         ///< scratch of absorb
     bool is_in_step_ = false;
     const std::atomic<bool>* interrupted_ = nullptr;
     Real max_dt_ = std::numeric_limits<Real>::infinity(); ///< by the tolerance of `adaptive`

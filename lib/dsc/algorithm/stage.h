@@ -55,6 +55,9 @@ public:
     /// Called after each sub-step. Edits are absorbed after the call, and reported to the
     /// listeners; vertices that did not arrive in the sub-step are then moved once more.
     virtual void run(const Between<Real>& between) = 0;
+    /// Called after `run` in the same sub-step if vertices are still blocked after that movement:
+    /// they may have come close to what blocks them only now.
+    virtual void run_again(const Between<Real>& between) { (void)between; }
     /// Called after the edits are absorbed, for listeners of the stage's own.
     virtual void tell() {}
     /// Writes what the stage keeps from one step to the next, or reads it back; see

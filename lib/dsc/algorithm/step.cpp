@@ -4,6 +4,8 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc/algorithm/stage.h"
 #include "dsc/base/error.h"
+#include "dsc/base/room.h"
+#include "dsc/complex/circulate.h"
 #include "dsc/passes/interface/list.h"
 #include "dsc/passes/readers.h"
 
@@ -12,6 +14,13 @@
 #include <utility>
 
 namespace dsc {
+
+namespace {
+
+/// In one sub-step, stages run at most this many times. Nearly always, the second run is the last.
+constexpr int max_rounds_of_stages = 4;
+
+} // namespace
 
 template <class Real>
 StepReport Simulation<Real>::step_along(const Flow<Real>& flow, Real time, Real dt) {
@@ -164,7 +173,7 @@ bool Simulation<Real>::sub_step(const Flow<Real>& flow, Real& time, Real end, Re
     time = remaining > 0 ? time + dt : end; // without the rounding of the sum
     std::uint64_t left = moved.unreached - moved.held;
     if (!stages_.empty()) {
-        const std::uint64_t freed = run_stages(time, dt, targets.held + moved.unreached, left > 0);
+        const std::uint64_t freed = run_stages(time, dt, targets.held + moved.unreached, left);
         report.unreached -= freed;
         left -= std::min(left, freed);
     }
@@ -224,40 +233,75 @@ bool Simulation<Real>::is_at_a_jump(const Flow<Real>& flow, Real time, Real dt,
 }
 
 // After each sub-step, serially. If stages have edited the complex, vertices that did not arrive
-// try again. Returns how many of these have now arrived, or need not move any more.
+// try again, and the stages run again if some are still blocked. Returns how many of these vertices
+// have now arrived, or have no target any more.
 template <class Real>
 std::uint64_t Simulation<Real>::run_stages(Real time, Real dt, std::uint64_t unreached,
-                                           bool has_missed) {
+                                           std::uint64_t missed) {
+    around_missed_.clear();
+    for (const MovingVertex<Real>& one : executor_->missed()) {
+        const auto note = [&](Corner c) {
+            around_missed_.emplace_back(one.vertex, complex_.phase_at(c));
+        };
+        for_each_corner(complex_, Vertex{one.vertex}, note);
+    }
+    std::uint64_t arrived = 0;
+    for (int round = 0; round < max_rounds_of_stages; ++round) {
+        const bool has_edited = run_each_stage(time, dt, unreached - arrived, round > 0);
+        if (!has_edited || missed == 0) {
+            break;
+        }
+        arrived += executor_->move_missed(gone_);
+        complex_.attributes.failure.rethrow();
+        if (arrived == missed) {
+            break;
+        }
+    }
+    return arrived;
+}
+
+// Returns whether stages have edited the complex; `gone_` are the vertices whose targets are void.
+template <class Real>
+bool Simulation<Real>::run_each_stage(Real time, Real dt, std::uint64_t unreached, bool is_again) {
     bool has_edited = false;
     gone_.clear();
     tell_what_was_done(); // edits of the sub-step come first
     for (const auto& stage : stages_) {
         to_stages_.clear();
         executor_->append_interface(to_stages_);
-        stage->run({.complex = complex_,
-                    .interface = to_stages_,
-                    .edge_length = options_.edge_length,
-                    .time = time,
-                    .dt = dt,
-                    .unreached = unreached,
-                    .in_shares = executor_->in_shares()});
+        const Between<Real> between{.complex = complex_,
+                                    .interface = to_stages_,
+                                    .edge_length = options_.edge_length,
+                                    .time = time,
+                                    .dt = dt,
+                                    .unreached = unreached,
+                                    .in_shares = executor_->in_shares()};
+        if (is_again) {
+            stage->run_again(between);
+        } else {
+            stage->run(between);
+        }
         const std::span<const Edit> edits(complex_.journal.records);
         if (absorbed_ < edits.size()) {
             has_edited = true;
-            const auto gone = taken_off(complex_, edits.subspan(absorbed_));
-            gone_.insert(gone_.end(), gone.begin(), gone.end());
+            append(gone_, without_target(edits.subspan(absorbed_)));
             absorb(By::stage, time);
         }
         stage->tell();
         complex_.attributes.failure.rethrow();
     }
-    if (!has_edited || !has_missed) {
-        return 0;
+    // A vertex has a target for the phases around it: without one of these, it moves differently.
+    for (const auto& [vertex, phase] : around_missed_) {
+        const auto is_around = [&complex = complex_, one = phase](Corner c) {
+            return complex.phase_at(c) == one;
+        };
+        if (complex_.is_alive(Vertex{vertex}) &&
+            find_corner(complex_, Vertex{vertex}, is_around) == no_id) {
+            gone_.push_back(vertex);
+        }
     }
     std::ranges::sort(gone_);
-    const std::uint64_t arrived = executor_->move_missed(gone_);
-    complex_.attributes.failure.rethrow();
-    return arrived;
+    return has_edited;
 }
 
 template StepReport Simulation<double>::step_along(const Flow<double>&, double, double);

@@ -90,16 +90,6 @@ void forget_vanished(Work<Real>& work, std::span<const Edit> edits) {
     });
 }
 
-// Whether all triangles of the star have the same phase; false without triangles.
-template <class Real>
-bool is_inside_phase(const Complex<Real>& complex, Vertex v) {
-    if (!complex.is_alive(v) || complex.vertices[v.id].corner == no_id) {
-        return false;
-    }
-    const Phase phase = complex.phase_at(complex.vertices[v.id].corner);
-    return find_corner(complex, v, [&](Corner c) { return complex.phase_at(c) != phase; }) == no_id;
-}
-
 } // namespace
 
 std::span<const Edit> edits_after_renumbering(std::span<const Edit> edits) {
@@ -125,22 +115,15 @@ std::vector<std::uint32_t> interface_changes(std::span<const Edit> edits) {
     return changed;
 }
 
-template <class Real>
-std::vector<std::uint32_t> taken_off(const Complex<Real>& complex, std::span<const Edit> edits) {
-    std::vector<std::uint32_t> gone;
+std::vector<std::uint32_t> without_target(std::span<const Edit> edits) {
+    std::vector<std::uint32_t> found;
     for (const Edit& edit : edits) {
-        if (edit.kind == EditKind::collapse || edit.kind == EditKind::remove_vertex) {
-            gone.push_back(edit.vertex.id);
-        } else if (edit.kind == EditKind::relabel) {
-            for (const Vertex v : {edit.ends[0], edit.ends[1], edit.apexes[0]}) {
-                if (is_inside_phase(complex, v)) {
-                    gone.push_back(v.id);
-                }
-            }
+        if (edit.kind == EditKind::collapse || edit.kind == EditKind::remove_vertex ||
+            edit.kind == EditKind::move) {
+            found.push_back(edit.vertex.id);
         }
     }
-    std::ranges::sort(gone);
-    return gone;
+    return found;
 }
 
 void find_interface_changes(std::span<const Edit> edits, std::vector<std::uint32_t>& changed) {
@@ -228,7 +211,6 @@ void run_pass(Work<Real>& work, const Pass<Real>& pass) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void wake(Work<Real>&, std::span<const Edit>);                                        \
-    template std::vector<std::uint32_t> taken_off(const Complex<Real>&, std::span<const Edit>);    \
     template bool is_on_interface(const Complex<Real>&, std::uint32_t);                            \
     template std::vector<std::uint32_t> on_interface(const Complex<Real>&,                         \
                                                      std::span<const std::uint32_t>);              \

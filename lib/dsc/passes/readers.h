@@ -21,12 +21,9 @@ namespace dsc {
 template <class Real>
 void wake(Work<Real>& work, std::span<const Edit> edits);
 
-/// The vertices that the edits removed, whose ids may be in use again, and those that lie inside
-/// one phase now because triangles changed their phase. Ascending, with duplicates. O(edits log
-/// edits).
-template <class Real>
-[[nodiscard]] std::vector<std::uint32_t> taken_off(const Complex<Real>& complex,
-                                                   std::span<const Edit> edits);
+/// The vertices that the edits removed, whose ids may be in use again, or moved: the targets that
+/// they had are void. In the order of the edits. O(edits).
+[[nodiscard]] std::vector<std::uint32_t> without_target(std::span<const Edit> edits);
 
 /// The vertices that the edits may have put on the interface, or taken off it; ascending, once
 /// each. Empty for most edits, which are inside a phase. O(edits log edits).

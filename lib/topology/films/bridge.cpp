@@ -102,8 +102,8 @@ bool is_squeezed(const std::array<Point<Real>, 4>& then, const std::array<Point<
     const Real farthest = std::sqrt(farthest_squared);
     const Real longer =
         std::sqrt(std::max((now[1] - now[0]).squaredNorm(), (now[3] - now[2]).squaredNorm()));
-    constexpr Real min_loss = static_cast<Real>(min_approach / 4 * 0.99); // 0.99: more than rounding
-    if (!(losing > min_loss * farthest * longer)) {
+    constexpr Real least = static_cast<Real>(min_approach / 4 * 0.99); // 0.99: more than rounding
+    if (!(losing > least * farthest * longer)) {
         return false;
     }
     const Real length_now = ((now[1] - now[0]).norm() + (now[3] - now[2]).norm()) / 2;

@@ -126,11 +126,14 @@ private:
     // Returns the vertex that is left; none if triangles are in the way.
     std::uint32_t join(const Sight<Real>& sight) {
         const std::uint32_t v = sight.v;
-        const Point<Real> foot =
-            sight.edge == no_id
-                ? at(sight.q)
-                : Point<Real>((1 - sight.share) * at(complex_.vertex(next(sight.edge))) +
-                              sight.share * at(complex_.vertex(prev(sight.edge))));
+        Point<Real> foot = Point<Real>::Zero();
+        std::array ends{no_id, no_id}; // of the edge
+        if (sight.edge == no_id) {
+            foot = at(sight.q);
+        } else {
+            ends = {complex_.vertex(next(sight.edge)), complex_.vertex(prev(sight.edge))};
+            foot = (1 - sight.share) * at(ends[0]) + sight.share * at(ends[1]);
+        }
         const Point<double> middle = ((at(v) + foot) / Real(2)).template cast<double>();
         if (!may_open(work_, {.film = sight.film,
                               .sides = {sight.one, sight.other},
@@ -139,28 +142,33 @@ private:
                               .thickness = static_cast<double>(sight.gap)})) {
             return no_id;
         }
-        std::uint32_t q = sight.q;
-        if (q == no_id) {
-            const SplitResult split = edge_split(submesh_, sight.edge, foot);
-            if (split.verdict != Verdict::legal) {
-                return no_id;
-            }
-            q = split.vertex.id;
-        }
-        if (sight.is_on_boundary && !clear_wall(v, q)) {
+        if (sight.is_on_boundary && !clear_wall(v, sight.q)) {
             return no_id;
         }
         const double before = work_.swept;
-        const Point<Real> place = meeting_place(sight, at(v), at(q));
-        std::uint32_t kept = contract(work_, v, q, place);
-        if (kept == no_id && !sight.is_on_boundary) {
-            kept = contract<Real>(work_, v, q, middle.template cast<Real>());
+        std::uint32_t kept = sight.q == no_id ? no_id : meet_at(sight, sight.q);
+        const Corner edge = find_corner(complex_, Vertex{v}, [&](Corner c) {
+            return complex_.vertex(next(c)) == ends[0] && complex_.vertex(prev(c)) == ends[1];
+        });
+        if (kept == no_id && edge != no_id) {
+            const SplitResult split = edge_split(submesh_, edge, foot);
+            if (split.verdict == Verdict::legal) {
+                kept = meet_at(sight, split.vertex.id);
+            }
         }
         if (kept != no_id) {
             tell(sight, kept, work_.swept - before);
         }
         work_.swept = before;
         return kept;
+    }
+
+    // With a vertex of the other front.
+    std::uint32_t meet_at(const Sight<Real>& sight, std::uint32_t q) {
+        const std::uint32_t v = sight.v;
+        const Point<Real> middle = (at(v) + at(q)) / Real(2);
+        const std::uint32_t kept = contract(work_, v, q, meeting_place(sight, at(v), at(q)));
+        return kept != no_id || sight.is_on_boundary ? kept : contract<Real>(work_, v, q, middle);
     }
 
     // Removes the vertices of the domain boundary between two, on the way from v to q.

@@ -146,8 +146,12 @@ private:
         const Real near = static_cast<Real>(snap) * work_.edge_length;
         const bool is_first = share < Real(0.5);
         const std::uint32_t end = is_first ? a : b;
-        if ((is_first ? share : 1 - share) * length < near && is_inside(sector, end)) {
-            look_at_vertex(v, sectors, k, end, gap, best);
+        if ((is_first ? share : 1 - share) * length < near && is_inside(sector, end) &&
+            look_at_vertex(v, sectors, k, end, gap, best)) {
+            if (best && best->v == v && best->q == end) { // where the vertex cannot be the foot
+                best->edge = c;
+                best->share = share;
+            }
             return;
         }
         Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
@@ -171,8 +175,8 @@ private:
         return false;
     }
 
-    // `gap`: to a foot near the vertex; negative: to the vertex.
-    void look_at_vertex(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
+    // `gap`: to a foot near the vertex; negative: to the vertex. False if the vertex is no front.
+    bool look_at_vertex(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
                         std::uint32_t q, Real gap, std::optional<Sight<Real>>& best) const {
         const Point<Real> way = at(q) - at(v);
         const Real length = way.norm();
@@ -182,12 +186,12 @@ private:
         const Point<Real> towards = way / length;
         if (!(length < Real(1.5) * max_gap) || (best && !(gap < best->gap)) ||
             (!is_at_foot && !faces(sectors[k], towards)) || is_locked(q)) {
-            return;
+            return true;
         }
         Sectors<Real>& there = scratch_.there;
         find_sectors(complex_, Vertex{q}, there);
         if (there.size() < 2 || there.is_on_boundary) {
-            return;
+            return true;
         }
         for (std::size_t i = 0; i < there.size(); ++i) {
             const Sector<Real>& sector = there[i];
@@ -197,7 +201,7 @@ private:
                 continue;
             }
             if (sector.angle < min_sector || (!is_at_foot && !faces(sector, back))) {
-                return;
+                return false;
             }
             Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
             sight.one = beyond(sectors, k, towards);
@@ -207,8 +211,9 @@ private:
             if (closes(sight, towards, false)) {
                 best = sight;
             }
-            return;
+            return true;
         }
+        return true;
     }
 
     // From the end of a front on the domain boundary along it, with the domain on the left, to the
