@@ -137,6 +137,25 @@ TEST(Motion3, CurvedInsertionLiesOnTheSphere) {
     EXPECT_LT(curved, 1e-12) << "exact";
 }
 
+// The curvature of this spheroid changes by a factor of 12 within a few edges of its rim.
+TEST(Motion3, CurvedInsertionDoesNotOvershootWhereTheCurvatureChanges) {
+    constexpr double h = 0.04;
+    const Point half(0.35, 0.35, 0.1);
+    const Complex complex =
+        initial_complex({}, {{ellipsoid({0.5, 0.5, 0.5}, half), 1}}, {.edge_length = h});
+    const auto off = [&](const Point& p) { // its distance, to second order
+        const Point q = (p - Point(0.5, 0.5, 0.5)).array() / half.array();
+        return (q.norm() - 1) * q.norm() / (q.array() / half.array()).matrix().norm();
+    };
+    Workspace work;
+    double outwards = 0;
+    for (const InterfaceFace& face : interface_faces(complex)) {
+        const Point place = curved_middle(complex, work, face.v[0], face.v[1]);
+        outwards = std::max(outwards, off(place));
+    }
+    EXPECT_LT(outwards, 0.007 * h) << "a third of what the arithmetic mean of the rises gives";
+}
+
 TEST(Simulation3, ATranslationIsExact) {
     constexpr double h = 0.05;
     Complex complex = ball_complex(h);

@@ -97,12 +97,19 @@ Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a, st
     if (!at_a.is_closed && !at_b.is_closed) {
         return middle;
     }
+    // Where the curvature changes along the edge, as at the rim of a film, the arithmetic mean of
+    // the rises would be too large by a third.
+    const bool is_between = at_a.is_closed && at_b.is_closed;
+    if (is_between && !(rise_a * rise_b > 0)) {
+        return middle;
+    }
+    const Real sum = rise_a + rise_b;
+    const Real share = is_between ? 2 * rise_a * rise_b / (sum * sum) : 1;
     // The offset of a cubic, 1/8 instead of the factor, times that of a circle over that of a
     // cubic.
-    const Real count = at_a.is_closed && at_b.is_closed ? 2 : 1;
-    const Real sine = (rise_a + rise_b) / (count * edge.norm());
+    const Real sine = share * sum / edge.norm();
     const Real cosine = std::sqrt(std::max(1 - sine * sine, Real(0.25)));
-    const Real factor = 0.5 / (count * cosine * (1 + cosine));
+    const Real factor = 0.5 * share / (cosine * (1 + cosine));
     const Point offset = factor * (rise_b * at_b.normal + rise_a * at_a.normal);
     return limited(middle, offset, edge);
 }

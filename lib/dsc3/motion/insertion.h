@@ -15,10 +15,12 @@ using InsertionFunction =
 
 /// The middle of the edge's cubic in the curved triangles through the vertices and normals at both
 /// ends (A. Vlachos et al., "Curved PN triangles", 2001), scaled such that it lies on a sphere
-/// through them if there is one; at most a fifth of the edge's length from its middle. If the sheet
+/// through them if there is one; at most a fifth of the edge's length from its middle. The two ends
+/// contribute their harmonic mean, so that it does not overshoot where the curvature changes along
+/// the edge (S. Amat et al., "Analysis of a new nonlinear subdivision scheme", 2006). If the sheet
 /// ends at a junction curve at one end, only the normal of the other end counts. On a junction
 /// curve: on the cubic through the four vertices around the edge. Returns the middle of the edge if
-/// the normals point away from each other.
+/// the interface turns to different sides at its ends, or its normals point away from each other.
 [[nodiscard]] Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a,
                                   std::uint32_t b);
 

@@ -3,6 +3,8 @@
 
 #include "dsc3/geometry/tet.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -206,7 +208,26 @@ Point normal(const Complex& complex, const InterfaceStar& interface_star) {
         const Point b = complex.at(face.y) - centre;
         sum += a.cross(b) / (a.squaredNorm() * b.squaredNorm());
     }
-    return unit(sum);
+    const Point up = unit(sum); // exact on spheres (N. Max, "Weights for computing vertex normals")
+    const Point first = complex.at(interface_star.faces[0].x) - centre;
+    const Point x_axis = unit(first - first.dot(up) * up);
+    const Point y_axis = up.cross(x_axis);
+    // height = slope . (x, y) + (x^2 + y^2 + height^2) / diameter + saddle, by least squares; the
+    // weight of a neighbour is the inverse square of its distance.
+    Eigen::Matrix<Real, 5, 5> matrix = Eigen::Matrix<Real, 5, 5>::Zero();
+    Eigen::Vector<Real, 5> right = Eigen::Vector<Real, 5>::Zero();
+    for (const StarFace& face : interface_star.faces) {
+        const Point d = complex.at(face.x) - centre;
+        const Real length = d.norm();
+        const Real x = d.dot(x_axis) / length;
+        const Real y = d.dot(y_axis) / length;
+        const Eigen::Vector<Real, 5> row(x, y, length, (x * x - y * y) * length, x * y * length);
+        matrix += row * row.transpose();
+        right += d.dot(up) / length * row;
+    }
+    matrix.diagonal().tail<2>().array() += 2e-3 * matrix(2, 2); // neighbours may be few
+    const Eigen::Vector<Real, 5> solution = matrix.ldlt().solve(right);
+    return unit(up - solution(0) * x_axis - solution(1) * y_axis);
 }
 
 } // namespace dsc3

@@ -72,14 +72,14 @@ struct StrataCounts {
 /// Counts them. O(mesh).
 [[nodiscard]] StrataCounts count_strata(const Complex& complex);
 
-/// The unit normal of the interface at the centre of the star, towards the lower phase. Weighted
-/// such that it is exact where all vertices lie on a sphere: N. Max, "Weights for computing vertex
-/// normals from facet normals" (1999).
+/// The unit normal of the interface at the centre of the star, towards the lower phase: that of the
+/// sphere plus a saddle which fits the neighbours best. So it is exact on spheres, and of second
+/// order elsewhere, whatever the directions of the neighbours. O(size).
 [[nodiscard]] Point normal(const Complex& complex, const InterfaceStar& interface_star);
 
 /// The normal of one sheet at a vertex.
 struct SheetNormal {
-    Point normal;           ///< with the weights of `normal`
+    Point normal;           ///< that of `normal` if it is all of the interface there
     bool is_closed = false; ///< whether the sheet closes around the vertex: else it ends at curves
 };
 /// The normal of the sheet that has the edge, which is on no curve, of a classified star. O(size).
