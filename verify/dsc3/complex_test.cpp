@@ -167,6 +167,14 @@ TEST(Validate3, NoticesEveryKindOfFault) {
     EXPECT_NE(p.find("does not lie on a side"), std::string::npos) << p;
 }
 
+TEST(Validate3, NoticesTetsThatShareOnlyAVertex) {
+    std::vector<Point> points{{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
+                              {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}};
+    const std::vector<std::array<std::uint32_t, 4>> tets{{0, 1, 2, 3}, {0, 4, 5, 6}};
+    const Complex complex = make_complex(points, tets, std::vector<Phase>(2, 0));
+    EXPECT_EQ(validate(complex).problem, "vertex 0: its star is not connected");
+}
+
 TEST(Validate3, CountsTheEulerNumbersOfSurfaces) {
     Complex lattice = initial::lattice({{0, 0, 0}, {4, 4, 4}});
     for (std::uint32_t t = 1; t < lattice.tet_bound(); ++t) { // a ring of cubes, and one beside it

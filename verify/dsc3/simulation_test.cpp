@@ -122,6 +122,19 @@ TEST(Motion3, IntegratorsHaveTheirOrder) {
     EXPECT_EQ(error(Integrator::adaptive, 32), error(Integrator::rk4, 32));
 }
 
+// For p' = p both methods are polynomials of the step z; they differ by z^4/72 - z^5/144.
+TEST(Motion3, TheAdaptiveErrorIsTheDifferenceOfTwoMethods) {
+    const Velocity velocity = [](std::span<const Point> p, double, std::span<Point> w) {
+        std::copy(p.begin(), p.end(), w.begin());
+    };
+    const std::vector<Point> start{{0.5, 0, 0}, {0, 0, 2}, {1, 0, 0}};
+    std::vector<Point> targets(start.size());
+    IntegratorScratch scratch{.first = start};
+    const double z = 0.5;
+    EXPECT_NEAR(integrate(Integrator::adaptive, velocity, start, 0, z, targets, scratch),
+                2 * (std::pow(z, 4) / 72 - std::pow(z, 5) / 144), 1e-15);
+}
+
 TEST(Motion3, CurvedInsertionLiesOnTheSphere) {
     const Complex complex = ball_complex(0.1);
     Workspace work;
@@ -199,6 +212,19 @@ TEST(Simulation3, AVertexWithoutRoomForItsInsertionArrivesLater) {
                                 [&](std::uint32_t v) { return complex.at(v) == place; }));
     }
     EXPECT_TRUE(validate(complex).ok());
+}
+
+TEST(Simulation3, AVertexThatDoesNotArriveArrivesInALaterStep) {
+    Complex complex = ball_complex(0.1);
+    const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = 4};
+    Simulation simulation(complex, options);
+    EXPECT_GT(simulation.step(uniform({0, 0.1, 0}), 0, 1).unreached, 0U);
+    std::uint64_t unreached = 1;
+    for (int step = 0; step < 20 && unreached > 0; ++step) {
+        unreached = simulation.step(uniform({0, 0, 0}), 0, 1).unreached;
+    }
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_LT(farthest(complex, simulation, centre + Point(0, 0.1, 0)), 1e-12);
 }
 
 TEST(Simulation3, TheSameInputGivesTheSameBits) {
