@@ -129,7 +129,8 @@ TEST(Motion3, TheAdaptiveErrorIsTheDifferenceOfTwoMethods) {
     };
     const std::vector<Point> start{{0.5, 0, 0}, {0, 0, 2}, {1, 0, 0}};
     std::vector<Point> targets(start.size());
-    IntegratorScratch scratch{.first = start};
+    IntegratorScratch scratch;
+    scratch.first = start;
     const double z = 0.5;
     EXPECT_NEAR(integrate(Integrator::adaptive, velocity, start, 0, z, targets, scratch),
                 2 * (std::pow(z, 4) / 72 - std::pow(z, 5) / 144), 1e-15);
