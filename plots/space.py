@@ -34,6 +34,9 @@ PICTURE = OF_REPORT + ".png"
 PEERS = (("El Topo, a surface without a mesh around it", "0.25 %", "159", "6,291"),
          ("the official 3D DSC, 45,000 tets", "6.9 %", "", ""),
          ("FrontTrackingMethods.jl", "5.6 %", "", ""))
+# The prototype of this module at h = 1/64: symmetric difference and vertices' error at T, over the volume and in
+# units of the domain; CPU seconds; most vertices.
+PROTOTYPE = {"h": 1 / 64, "sd": 0.00309, "rms": 2.0e-4, "cpu_s": 28, "vertices": 7775}
 
 
 def read_ply(path):
@@ -104,6 +107,37 @@ def draw(given):
     yield style.Picture(name=OF_REPORT, title="The interface", figure=figure, is_mesh=True, sentence=f"The interface at {style.counted(len(shown), 'time')}.")
 
 
+def curves(results):
+    """Error against h, and cost against the size of the interface, with a guide line each."""
+    figure, (panels,) = style.figure(8.4, 3.9, 1, 2)
+    error, cost = panels
+    h = numpy.array([one["parameters"]["h"] for one in results])
+    sizes = numpy.array([one["interface_vertices_max"] for one in results])
+    seconds = numpy.array([one["cpu_s"] for one in results])
+    series = [("symmetric difference / volume", "sd_rel_last", "o", PROTOTYPE["sd"]),
+              ("distance of vertices from the sphere, rms", "vertex_error_rms", "s", PROTOTYPE["rms"])]
+    for colour, (label, key, marker, prototype) in zip(("C0", "C1"), series):
+        values = numpy.array([one[key] for one in results])
+        error.plot(h, values, marker=marker, color=colour, label=label)
+        error.plot(h, values[-1] * (h / h[-1]) ** 2, ":", color=colour, label="second order")
+        error.plot([PROTOTYPE["h"]], [prototype], marker=marker, color=colour, fillstyle="none", linestyle="none",
+                   label="the prototype")
+    cost.plot(sizes, seconds, marker="o", color="C0", label="dsc3")
+    cost.plot(sizes, seconds[-1] * (sizes / sizes[-1]) ** 1.5, ":", color="C0", label="vertices × steps")
+    cost.plot([PROTOTYPE["vertices"]], [PROTOTYPE["cpu_s"]], "o", color="C0", fillstyle="none", label="the prototype")
+    who, _, peer_seconds, peer_vertices = PEERS[0]
+    cost.plot([float(peer_vertices.replace(",", ""))], [float(peer_seconds)], "D", color="C3", label=who)
+    for axes, across, up in ((error, "edge length h", "error at T"), (cost, "interface vertices, most", "CPU s")):
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel(across)
+        axes.set_ylabel(up)
+        axes.legend(fontsize=6.5)
+    style.finish(figure, "Enright's test: error and cost", "One thread. Filled: measured with this report. Hollow and "
+                 "diamond: measured earlier, on other days.")
+    return figure
+
+
 def section(out):
     """The section of the report if bench/run.sh has left a picture and results of Enright's test in several
     sizes in the folder `out`; else nothing."""
@@ -123,10 +157,14 @@ def section(out):
             "smallest dihedral angle ever", "not arrived", "CPU s", "us a vertex and sub-step"]
     picture = io.BytesIO()
     Image.open(path).convert("RGB").save(picture, format="WEBP", quality=QUALITY)
+    drawn, _ = style.for_page(style.png_bytes(curves(results)), False)
     return (f'<figure><img alt="A ball becomes a film and a ball again" src="{page.inline(picture.getvalue())}">'
             "<figcaption>Enright's test: a ball, the film that it becomes at half of the period, and the ball that "
             "comes back, with the triangles of the interface. Peers were measured by us or others, elsewhere."
-            "</figcaption></figure>\n" + page.table(head, rows))
+            "</figcaption></figure>\n"
+            f'<figure><img alt="Error against edge length, and CPU time against vertices" src="{page.inline(drawn)}">'
+            "<figcaption>Dotted: second order, and vertices times steps, through the smallest edge length. With edges "
+            "longer than 1/32 the film is thinner than half an edge.</figcaption></figure>\n" + page.table(head, rows))
 
 
 def main(argv=None):

@@ -190,7 +190,8 @@ class Words(Case):
             "min_dihedral_deg_ever": 0.8, "cpu_s": 1.9, "us_per_vertex_and_sub_step": 20.0})
         Image.new("RGB", (8, 8)).save(self.path("out/enright.png"))
         text = space.section(self.path("out"))
-        for word in ("data:image/webp;base64,", "1/16", "1,234", "6.000 %", "0.100 h", "El Topo"):
+        for word in ("data:image/webp;base64,", "1/16", "1,234", "6.000 %", "0.100 h", "El Topo",
+                     "CPU time against vertices"):
             self.assertIn(word, text)
 
     def test_the_gallery_has_its_place(self):
