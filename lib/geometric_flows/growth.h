@@ -38,7 +38,8 @@ struct GrowthOptions {
     /// feature from then on...
     double notch_degrees = 40;
     double smooth_degrees = 15; ///< ...until it turns by less than this
-    /// A notch moves by at most this times the speed: a very sharp one would outrun its mesh.
+    /// A notch moves by at most this times the speed: a very sharp one would outrun its mesh. The
+    /// tip of what grows is no faster than its sheets.
     double max_notch = 4;
 };
 

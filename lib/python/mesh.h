@@ -60,7 +60,7 @@ public:
         return *arrays_;
     }
 
-    /// The number of changes of the mesh: equal numbers mean the same triangles.
+    /// The number of changes of the mesh: equal numbers mean the same mesh.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     /// To be called before a change: drops the arrays, and keeps the mesh busy until the result is
@@ -93,7 +93,7 @@ using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
 using Mesh3Class = py::class_<Mesh3, std::shared_ptr<Mesh3>>;
 
 // --- what meshes of both dimensions have
-// -----------------------------------------------------------
+// ----------------------------------------------------------
 
 /// The complex as bytes, without data, which dsc/mesh.py adds.
 template <class AnyMesh>

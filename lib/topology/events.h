@@ -43,7 +43,8 @@ struct Event {
     double x = 0;                      ///< position, in units of the domain
     double y = 0;
     Phase lost = exterior_phase; ///< the phase whose area it was
-    /// The phases that took the area; the same twice unless different ones took it.
+    /// The phases that took the area; the same twice unless different ones took it. Of a
+    /// small piece that several share: twice the one that it bordered on most.
     std::array<Phase, 2> taken = {};
     double area = 0; ///< that changed its phase
 };

@@ -191,9 +191,14 @@ TEST(Sides3, TheSameBitsForAnyNumberOfThreads) {
     for (const std::uint32_t threads : {1U, 2U, 3U}) {
         Complex complex = Ball{half.centre, 2}.complex(h);
         Simulation simulation(complex, {.edge_length = h}, {.threads = threads, .submeshes = 4});
+        std::uint64_t treated = 0;
+        std::uint64_t together = 0;
         for (int k = 0; k < (is_quick ? 2 : 12); ++k) {
-            simulation.step(swirl, 0, 0.5 * h);
+            const StepReport report = simulation.step(swirl, 0, 0.5 * h);
+            treated += report.treated;
+            together += report.treated_together;
         }
+        EXPECT_GT(together, treated / 4) << "else this would prove nothing";
         const ValidationReport report = validate(complex);
         ASSERT_TRUE(report.ok()) << report.problem;
         expected = threads == 1 ? mesh_hash(complex) : expected;

@@ -122,6 +122,10 @@ double median_of(std::vector<double> values) {
 // Measures what the limit stores.
 void store(Held& held, const std::vector<const Outcome*>& outcomes) {
     const Check& check = *held.check;
+    if (find_rule(held.limit.rule).factor == 1 &&
+        (held.limit.around || !held.limit.histogram.empty())) {
+        return; // required, or kept
+    }
     if (check.stores == Stores::figure) {
         std::vector<double> values;
         std::ranges::transform(outcomes, std::back_inserter(values),

@@ -59,9 +59,11 @@ TEST(GrowthRules, AFactorByPlaceIsThatOfThePlace) {
     EXPECT_NEAR(phase_area(complex, 1), 0.3 * std::exp(0.5), 1e-9);
 }
 
-TEST(GrowthRules, AnEndOnAWallKeepsUpWithASheetThatLeansForwardAndIsATipWhereItLeansBack) {
+TEST(GrowthRules,
+     AnEndOnTheDomainBoundaryKeepsUpWithASheetThatLeansForwardAndIsATipWhereItLeansBack) {
     // By the principle of Huygens: the end that leans forward slides as fast as the sheet's offset
-    // meets the wall; from the end that leans back, an arc spreads about the place of the tip.
+    // meets the domain boundary; from the end that leans back, an arc spreads about the place of
+    // the tip.
     constexpr double distance = 0.1;
     for (const double slant : {0.0, 0.5, -0.5, 1.0, -1.0}) {
         auto complex = grid(50, slant, [](int i, int) { return Phase{i < 15}; });
@@ -69,7 +71,7 @@ TEST(GrowthRules, AnEndOnAWallKeepsUpWithASheetThatLeansForwardAndIsATipWhereItL
         EXPECT_EQ(growing.run(0, distance), 0U);
         test::expect_sound(complex, growing.simulation());
         // A tip that moved as fast as the sheet's offset would sweep this area beyond the arc. No
-        // fan opens on a wall, so the arc has few vertices.
+        // fan opens on the domain boundary, so the arc has few vertices.
         const double beyond_arc =
             distance * distance / 2 * (std::abs(slant) - std::atan(std::abs(slant)));
         EXPECT_NEAR(phase_area(complex, 1), 0.3 + distance * std::hypot(slant, 1) - beyond_arc,

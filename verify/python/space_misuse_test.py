@@ -80,7 +80,6 @@ CASES = {
     "function of several distances": (made({1: lambda x: [1, 2]}), INPUT, "not a signed distance for each point"),
     "function of a text": (made({1: lambda x: "far"}), INPUT, "what the shape returns: .*got 'far'"),
     "function that raises": (made({1: raising}), LookupError, "no velocity today"),
-    "ball that reaches the sides": (made({1: dsc.ball((0.5, 0.5, 0.5), 0.6)}), INPUT, "sides of the domain|domain"),
     "ball of a point": (lambda mesh: dsc.ball((0.5, 0.5), 1), INPUT, r"centre: .*allowed: numbers of the shape \(1, 3\)"),
     "ball of a text": (lambda mesh: dsc.ball((0, 0, 0), "a"), INPUT, "radius: not a length: got 'a'"),
     "ball of no radius": (lambda mesh: dsc.ball((0, 0, 0), np.nan), INPUT, "radius: not a length: got nan"),

@@ -167,6 +167,13 @@ divides = [1, 3, 2, 4]
         self.write("box.obj", BOX + smaller + faces)
         done = self.call("run", scene)
         self.assertIn("does not resolve the surface in the file: Euler number 2, not 4", done.stdout)
+        # A side of the domain cuts the first one off: nothing is known about it.
+        self.write("box.obj", BOX)
+        with open(scene, encoding="utf-8") as stream:
+            cut = self.write("cut.toml", stream.read().replace("move = [0.25", "move = [-0.2"))
+        done = self.call("run", cut)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotIn("does not resolve", done.stdout)
         self.write("box.obj", BOX[:BOX.rindex("f")])
         self.expect_refusal("run", scene, words=["not closed", "box.obj, at (", "1 triangle"])
         self.write("box.obj", "nothing\n")

@@ -53,10 +53,11 @@ public:
     /// The last pass of the remeshing, once a sub-step. Called when the stage is added.
     [[nodiscard]] virtual std::optional<Pass<Real>> pass() { return {}; }
     /// Called after each sub-step. Edits are absorbed after the call, and reported to the
-    /// listeners; vertices that did not arrive in the sub-step are then moved once more.
+    /// listeners; vertices that did not arrive in the sub-step are then moved again.
     virtual void run(const Between<Real>& between) = 0;
-    /// Called after `run` in the same sub-step if vertices are still blocked after that movement:
-    /// they may have come close to what blocks them only now.
+    /// Called after `run` in the same sub-step, up to three times, as long as stages edit the
+    /// complex and vertices are still blocked: they may have come close to what blocks them only
+    /// now.
     virtual void run_again(const Between<Real>& between) { (void)between; }
     /// Called after the edits are absorbed, for listeners of the stage's own.
     virtual void tell() {}

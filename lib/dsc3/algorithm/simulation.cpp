@@ -96,6 +96,7 @@ StepReport Simulation::advance(const Velocity& velocity, bool in_chunks, Real ti
         remesh_interface(state_);
         repair_mesh(state_, options_.quality, Effort::usual);
         find_origins();
+        version_ = complex_.version; // if the velocity throws, the next step goes on from here
         const Real part = find_targets(velocity, time + dt - remaining, remaining);
         if (part == 0) {
             report_.gave_up = GiveUp::too_many_sub_steps;

@@ -96,8 +96,8 @@ private:
     StepReport report_;
     std::vector<Point> origins_;
     std::vector<Point> targets_;
-    std::vector<std::uint32_t>
-        fixed_; ///< coordinates, by interface vertex; empty if there are none
+    // Fixed coordinates, by interface vertex; empty if there are none.
+    std::vector<std::uint32_t> fixed_;
     std::vector<std::uint8_t> held_;
     std::array<IntegratorScratch, Team::max_chunks> scratch_; ///< by share
     std::array<Real, Team::max_chunks> largest_{};            ///< velocity or error, by share

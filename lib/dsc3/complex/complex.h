@@ -35,8 +35,8 @@ using VertexAttribute = dsc::Attribute<T, Vertex>;
 template <class T>
 using TetAttribute = dsc::Attribute<T, Tet>;
 
-/// Properties of a vertex. All but the last two follow from the tets around it; `validate` checks
-/// them.
+/// Properties of a vertex. All but `vertex_dead` and `vertex_settled` follow from the tets around
+/// it; `validate` checks them.
 enum VertexFlag : std::uint32_t {
     vertex_interface = 1U, ///< on a face between two phases
     vertex_dead = 4U,      ///< the id is free

@@ -149,7 +149,6 @@ private:
         }
     }
 
-    // Orients each part like its first triangle, and then so that it encloses a positive volume.
     // Orients each part outwards, or inwards if it lies inside an odd number of the others, so that
     // parts in parts are hollows.
     void orient() {

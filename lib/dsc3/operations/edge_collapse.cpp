@@ -171,8 +171,8 @@ Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Verte
     auto& made = work.rewiring.made;
     old.clear();
     made.clear();
-    std::uint32_t unmatched =
-        0; // faces on the sides: those at the vertex, and what becomes of them
+    // Faces on the sides: those at the vertex, and what becomes of them.
+    std::uint32_t unmatched = 0;
     for (const Corner corner : work.star.corners) {
         const std::uint32_t t = tet_of(corner);
         old.push_back(t);

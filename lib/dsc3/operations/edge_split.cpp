@@ -15,6 +15,14 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, Point p
     }
     const std::uint32_t fixed = ring.closed ? 0 : complex.fixed_along(edge.a, edge.b);
     keep_on_sides(place, complex.at(edge.a), fixed);
+    // Those of the two faces of the domain boundary at the edge: all three on an oblique side.
+    const auto at_face = [&](std::uint32_t t, std::uint32_t opposite) {
+        return fixed_at(complex, corner_of(t, index_in(complex.tets[t], opposite)));
+    };
+    const std::uint32_t last = ring.size - 1;
+    const std::uint32_t sides = ring.closed ? 0
+                                            : at_face(ring.tets[0], ring.vertices[1]) |
+                                                  at_face(ring.tets[last], ring.vertices[last]);
     auto& made = work.rewiring.made;
     made.clear();
     bool on_interface = false;
@@ -38,7 +46,7 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, Point p
         made.push_back(two);
     }
     const std::uint32_t v =
-        take_vertex(complex, work.rewiring, place, (on_interface ? vertex_interface : 0U) | fixed);
+        take_vertex(complex, work.rewiring, place, (on_interface ? vertex_interface : 0U) | sides);
     if (!complex.attributes.empty(dsc::SimplexKind::vertex)) {
         const Point way = complex.at(edge.b) - complex.at(edge.a);
         const Real fraction = (place - complex.at(edge.a)).dot(way) / way.squaredNorm();

@@ -139,7 +139,7 @@ private:
         return collapse(edges) || reassign(t, edges) || split(t, edges);
     }
 
-    // Sides on which no interface ends keep their mesh: nothing moves along them.
+    // Sides keep their mesh unless an interface ends on one of them: nothing moves along them.
     [[nodiscard]] bool is_free(std::uint32_t v) const {
         const std::uint32_t flags = complex_.vertices[v].flags;
         return (flags & vertex_interface) == 0 && (edits_sides_ || (flags & vertex_boundary) == 0);

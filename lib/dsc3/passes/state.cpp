@@ -39,7 +39,7 @@ void PassState::collect_from_submeshes() {
     }
 }
 
-void PassState::note_ends() {
+void PassState::update_ends() {
     ends_on_sides = std::any_of(interface.begin(), interface.end(),
                                 [&](std::uint32_t v) { return complex.is_boundary(Vertex{v}); });
 }
@@ -51,7 +51,7 @@ void PassState::update_interface() {
     std::erase_if(interface, [&](std::uint32_t v) { return !complex.is_interface(Vertex{v}); });
     std::sort(interface.begin(), interface.end());
     interface.erase(std::unique(interface.begin(), interface.end()), interface.end());
-    note_ends();
+    update_ends();
 }
 
 void PassState::find_interface() {
@@ -62,7 +62,7 @@ void PassState::find_interface() {
             interface.push_back(v);
         }
     }
-    note_ends();
+    update_ends();
 }
 
 void PassState::collect_unfit(Real quality) {

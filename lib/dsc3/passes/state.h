@@ -94,7 +94,8 @@ struct PassState {
     void update_interface();
     /// Finds the interface from scratch. O(mesh).
     void find_interface();
-    void note_ends();
+    /// Updates `ends_on_sides`. O(interface).
+    void update_ends();
     /// Adds the tets that were written since the last call, if they are below the quality.
     void collect_unfit(Real quality);
 };

@@ -3,11 +3,11 @@
 
 #include "dsc3/geometry/tet.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace dsc3 {
@@ -200,6 +200,61 @@ SheetNormal normal_at(const Complex& complex, const InterfaceStar& interface_sta
     return {unit(sum), false};
 }
 
+namespace {
+
+// Normal equations of a least squares problem. Eigen's solver of this size would fuse
+// multiplications with additions, which other machines do not.
+struct Equations {
+    static constexpr std::size_t n = 5;
+    using Row = std::array<Real, n>;
+    std::array<Row, n> matrix{};
+    Row right{};
+
+    void add(const Row& row, Real value) {
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) {
+                matrix[i][j] += row[i] * row[j];
+            }
+            right[i] += row[i] * value;
+        }
+    }
+    // By Cholesky's method; an unknown that the others leave undetermined is 0.
+    [[nodiscard]] Row solve() {
+        constexpr Real undetermined = 1e-10;
+        for (std::size_t j = 0; j < n; ++j) {
+            Real pivot = matrix[j][j];
+            for (std::size_t k = 0; k < j; ++k) {
+                pivot -= matrix[j][k] * matrix[j][k];
+            }
+            const bool is_determined = pivot > undetermined * matrix[j][j];
+            matrix[j][j] = is_determined ? std::sqrt(pivot) : 0;
+            for (std::size_t i = j + 1; i < n; ++i) {
+                Real sum = matrix[i][j];
+                for (std::size_t k = 0; k < j; ++k) {
+                    sum -= matrix[i][k] * matrix[j][k];
+                }
+                matrix[i][j] = is_determined ? sum / matrix[j][j] : 0;
+            }
+        }
+        Row x = right;
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = 0; k < i; ++k) {
+                x[i] -= matrix[i][k] * x[k];
+            }
+            x[i] = matrix[i][i] > 0 ? x[i] / matrix[i][i] : 0;
+        }
+        for (std::size_t i = n; i-- > 0;) {
+            for (std::size_t k = i + 1; k < n; ++k) {
+                x[i] -= matrix[k][i] * x[k];
+            }
+            x[i] = matrix[i][i] > 0 ? x[i] / matrix[i][i] : 0;
+        }
+        return x;
+    }
+};
+
+} // namespace
+
 Point normal(const Complex& complex, const InterfaceStar& interface_star) {
     const Point& centre = complex.at(interface_star.centre);
     Point sum = Point::Zero();
@@ -210,24 +265,24 @@ Point normal(const Complex& complex, const InterfaceStar& interface_star) {
     }
     const Point up = unit(sum); // exact on spheres (N. Max, "Weights for computing vertex normals")
     const Point first = complex.at(interface_star.faces[0].x) - centre;
+    const Real size = first.norm(); // the unit of lengths below
     const Point x_axis = unit(first - first.dot(up) * up);
     const Point y_axis = up.cross(x_axis);
     // height = slope . (x, y) + (x^2 + y^2 + height^2) / diameter + saddle, by least squares; the
     // weight of a neighbour is the inverse square of its distance.
-    Eigen::Matrix<Real, 5, 5> matrix = Eigen::Matrix<Real, 5, 5>::Zero();
-    Eigen::Vector<Real, 5> right = Eigen::Vector<Real, 5>::Zero();
+    Equations equations;
     for (const StarFace& face : interface_star.faces) {
         const Point d = complex.at(face.x) - centre;
         const Real length = d.norm();
         const Real x = d.dot(x_axis) / length;
         const Real y = d.dot(y_axis) / length;
-        const Eigen::Vector<Real, 5> row(x, y, length, (x * x - y * y) * length, x * y * length);
-        matrix += row * row.transpose();
-        right += d.dot(up) / length * row;
+        const Real l = length / size;
+        equations.add({x, y, l, (x * x - y * y) * l, x * y * l}, d.dot(up) / length);
     }
-    matrix.diagonal().tail<2>().array() += 2e-3 * matrix(2, 2); // neighbours may be few
-    const Eigen::Vector<Real, 5> solution = matrix.ldlt().solve(right);
-    return unit(up - solution(0) * x_axis - solution(1) * y_axis);
+    equations.matrix[3][3] += 2e-3 * equations.matrix[2][2]; // neighbours may be few
+    equations.matrix[4][4] += 2e-3 * equations.matrix[2][2];
+    const auto slopes = equations.solve();
+    return unit(up - slopes[0] * x_axis - slopes[1] * y_axis);
 }
 
 } // namespace dsc3

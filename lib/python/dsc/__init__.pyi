@@ -230,7 +230,7 @@ class Simulation(Generic[_AnyMesh]):
         quality: float = 0.25,
         move_quality: float = 0.1,
         layers: int = 3,
-        integrator: str = "rk4",
+        integrator: Literal["euler", "midpoint", "rk4", "adaptive"] = "rk4",
         tolerance: float = 1e-4,
         sub_step: float = 0.4,
         max_sub_steps: int = 10000,
@@ -281,7 +281,7 @@ class Fluid:
     def energies(self) -> dict[str, float]: ...
     def mean_velocity(self, phase: int) -> tuple[float, float]: ...
     @property
-    def simulation(self) -> Simulation: ...
+    def simulation(self) -> Simulation[Mesh]: ...
 
 def from_labels(
     array: ArrayLike,

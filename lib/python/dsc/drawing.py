@@ -27,7 +27,7 @@ def plot(mesh, ax=None, *, values=None, edges=None, interface=True, palette=PALE
         Whether the interface is drawn.
     palette : sequence of colours
         The first is that of phase 0. Larger phases reuse the others, with different colours for
-        neighbours if there are enough.
+        neighbours if there are enough. For a `Mesh3`: two or more, as '#rrggbb'.
     **style
         Passed to `Axes.tripcolor`; for a `Mesh3`, to `pyvista.Plotter.add_mesh`.
 

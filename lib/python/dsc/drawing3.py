@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pictures of meshes in space by pyvista, or vtk, which are imported on first use."""
+import re
+
 import numpy as np
 
 from . import arrays
@@ -21,6 +23,9 @@ def plot(mesh, plotter=None, *, values=None, edges=None, palette, **style):
     edges = len(triangles) <= MOST_EDGES if edges is None else edges
     colours = None
     if values is None:
+        if len(palette) < 2 or not all(re.fullmatch("#[0-9a-fA-F]{6}", str(one)) for one in palette):
+            arrays.refuse("not a palette", "palette", arrays.shown(palette),
+                          "two or more colours '#rrggbb' for a Mesh3")
         hexadecimal = [palette[one] for one in 1 + (faces.inside.astype(int) - 1) % (len(palette) - 1)]
         colours = np.array([[int(one[i:i + 2], 16) for i in (1, 3, 5)] for one in hexadecimal], np.uint8)
     try:

@@ -94,6 +94,8 @@ def _material(value, where):
 
 
 def _tension(value, where):
+    if isinstance(value, tuple) and len(value) == 2 and value[1] is None:
+        value = value[0]  # as a fluid keeps a tension without an angle
     array = arrays.numbers(value, where)
     if array is not None and array.ndim == 0:
         return float(array), None

@@ -196,8 +196,9 @@ shapes : dict, or an object with a __geo_interface__; optional
 
     In space: for each phase a `Shape3` such as `ball`, a function of points (n, 3) that returns signed
     distances (n,), or a list of these; or a list of pairs `(shape, phase)` and `(shape, {{one: other}})`.
-    Where shapes overlap, the later one counts. With a dict, a shape divides phases: inside it, what was
-    phase `one` is phase `other`, and other phases stay. A function is called for one point at a time.
+    Where shapes overlap, the later one counts; they may reach beyond the domain. With a dict, a shape
+    divides phases: inside it, what was phase `one` is phase `other`, and other phases stay. A function is
+    called for one point at a time.
 curves : sequence of (points, left, right), optional
     Instead of shapes: curves from junction to junction with the phases on both sides. Not in space.
 **options

@@ -105,7 +105,7 @@ def torus(centre, axis, circle_radius, tube_radius):
 
 
 def closed_surface(points, triangles=None):
-    """The inside of a closed surface, which may have several parts.
+    """The inside of a closed surface, which may have several parts; a part inside another is a hollow.
 
     Parameters
     ----------

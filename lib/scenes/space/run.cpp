@@ -106,8 +106,10 @@ public:
             }
             write_frame();
         }
-        if (ends_on_sides()) { // the shape is cut off there, and its exact volume is not known
+        if (ends_on_sides()) { // the shape is cut off there: its exact figures are not known
             setup_.volume_last = setup_.last ? result_.volume_first : 0;
+            result_.euler_first.reset();
+            result_.euler_exact_first.reset();
         }
         Progress progress(options_.progress, result_.steps, setup_.steps);
         while (result_.steps < setup_.steps && result_.sum.gave_up == dsc3::GiveUp::none) {

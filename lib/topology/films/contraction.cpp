@@ -159,7 +159,9 @@ private:
                         [&](Corner c) { sheets += is_sheet(complex_, prev(c)) ? 1 : 0; });
         if (sheets == 2 && !is_border(one) && is_sheet(complex_, one) &&
             complex_.phase_at(one) == complex_.phase_at(other)) {
-            give(work_, Triangle{triangle_of(apex)}, complex_.phase_at(one));
+            const Triangle tip{triangle_of(apex)};
+            work_.swept += static_cast<double>(doubled_area(complex_, tip)) / 2;
+            give(work_, tip, complex_.phase_at(one));
         }
     }
 

@@ -3,6 +3,7 @@
 
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "topology/junctions/merging.h"
@@ -10,12 +11,14 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace dsc {
 
 namespace {
 
-constexpr int max_rounds = 32;
+constexpr std::size_t max_rounds = 32;
 
 template <class Real>
 class LastPiece {
@@ -31,9 +34,8 @@ public:
         for (const Corner c : outline_) {
             ends_.push_back(complex_.vertex(next(c)));
             if (is_border(complex_.twin(c))) {
-                if (boundary_ != no_id &&
-                    cross<Real>(direction(complex_, c), direction(complex_, boundary_)) != 0) {
-                    return false; // a corner of the domain
+                if (boundary_ != no_id && is_corner(c, boundary_)) {
+                    return false;
                 }
                 boundary_ = c;
                 continue;
@@ -54,7 +56,7 @@ public:
             return false;
         }
         // Flips make all of the piece the star of the centre.
-        for (int round = 0; round < max_rounds; ++round) {
+        for (std::size_t round = 0; round < max_rounds; ++round) {
             move_towards(centre, place);
             const Corner flipped = find_corner(complex_, Vertex{centre}, [&](Corner c) {
                 return is_of_film(c) && is_of_film(complex_.twin(c)) &&
@@ -85,6 +87,14 @@ private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
     [[nodiscard]] bool is_of_film(Corner c) const {
         return !is_border(c) && complex_.phase_at(c) == film_;
+    }
+
+    // Whether two edges of the domain boundary are on different sides.
+    [[nodiscard]] bool is_corner(Corner one, Corner other) const {
+        const Point<Real> a = direction(complex_, one);
+        const Point<Real> b = direction(complex_, other);
+        const double cosine = std::cos(side_turn_degrees * std::numbers::pi / 180);
+        return a.dot(b) < static_cast<Real>(cosine) * a.norm() * b.norm();
     }
 
     // What could not become the star of the centre: each triangle to the phase beyond its longest
@@ -202,7 +212,7 @@ private:
     // A vertex inside the piece: the only one, or a new one on its longest inner edge. A single
     // triangle has none: that in the middle of its shortest edge, which the front beyond follows.
     std::uint32_t vertex_within() {
-        for (int round = 0; round < max_rounds; ++round) {
+        for (std::size_t round = 0; round < max_rounds; ++round) {
             std::vector<std::uint32_t> inside;
             Corner longest = no_id;
             Real max_length = 0;
@@ -239,7 +249,8 @@ private:
                 const SplitResult split = edge_split(submesh_, longest, middle);
                 return split.verdict == Verdict::legal ? split.vertex.id : no_id;
             }
-            if (!remove_inside(work_, Vertex{inside.back()}, Real(0))) {
+            if (inside.size() > max_rounds ||
+                !remove_inside(work_, Vertex{inside.back()}, Real(0))) {
                 return no_id;
             }
         }
@@ -264,7 +275,8 @@ private:
         }
         for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
             const Point<Real> to = from + share * (place - from);
-            bool is_positive = orientation<Real>(at(beside[0]), to, at(beside[1])) == 0;
+            bool is_positive = beside[0] == beside[1] ||
+                               side_at<Real>(at(beside[0]), to, at(beside[1])) == Side::straight;
             for_each_corner(complex_, Vertex{v}, [&](Corner c) {
                 is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
                                                                at(complex_.vertex(prev(c)))) > 0;

@@ -2,7 +2,7 @@
 #include "topology/films/meeting.h"
 
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "topology/candidates.h"
@@ -42,13 +42,24 @@ public:
                  --left) {
                 const std::uint32_t next = ahead.back();
                 ahead.pop_back();
-                if (const auto sight = see_front(work_, work_.sights[0], next)) {
+                if (const auto sight = see_front(work_, work_.sights[0], next);
+                    sight && (work_.options.follows_seams || !is_beside_seam(next, *sight))) {
                     const std::uint32_t kept = join(*sight);
                     if (kept != no_id && work_.options.follows_seams) {
                         add_around(kept, ahead);
                     }
                 }
             }
+        }
+    }
+
+    Meeting(const Meeting&) = delete;
+    Meeting& operator=(const Meeting&) = delete;
+    Meeting(Meeting&&) = delete;
+    Meeting& operator=(Meeting&&) = delete;
+    ~Meeting() {
+        if (!own_.empty()) {
+            work_.sights = {};
         }
     }
 
@@ -102,14 +113,14 @@ private:
         if (!(speed_v + speed_q > 0)) {
             speed_v = speed_q = 1;
         }
-        const Point<Real> p = (v * speed_q + q * speed_v) / (speed_v + speed_q);
+        const Point<Real> p = v + speed_v / (speed_v + speed_q) * (q - v); // exact along an axis
         Point<Real> across = sight.normal_v - sight.normal_q;
         const Real size = across.norm();
         if (!(size > Real(0.5))) {
             return p; // the fronts do not face each other
         }
         if (sight.is_on_boundary) {
-            return orientation<Real>(v, p, q) == 0 ? p : v; // off the line by rounding
+            return side_at<Real>(v, p, q) == Side::straight ? p : v;
         }
         across /= size;
         const Real rate =
@@ -142,7 +153,7 @@ private:
                               .thickness = static_cast<double>(sight.gap)})) {
             return no_id;
         }
-        if (sight.is_on_boundary && !clear_wall(v, sight.q)) {
+        if (sight.is_on_boundary && !clear_boundary(v, sight.q)) {
             return no_id;
         }
         const double before = work_.swept;
@@ -172,8 +183,8 @@ private:
     }
 
     // Removes the vertices of the domain boundary between two, on the way from v to q.
-    bool clear_wall(std::uint32_t v, std::uint32_t q) {
-        for (int i = 0; i < edges_along_wall; ++i) {
+    bool clear_boundary(std::uint32_t v, std::uint32_t q) {
+        for (int i = 0; i < edges_along_boundary; ++i) {
             const Corner c = find_corner(
                 complex_, Vertex{v}, [&](Corner k) { return is_border(complex_.twin(prev(k))); });
             if (c == no_id) {
@@ -182,7 +193,8 @@ private:
             if (complex_.vertex(next(c)) == q) {
                 return true;
             }
-            if (edge_collapse(submesh_, prev(c), rewire::Vanishing::prev) != Verdict::legal) {
+            if (edge_collapse(submesh_, prev(c), rewire::Vanishing::prev, BoundaryRule::smooth) !=
+                Verdict::legal) {
                 return false;
             }
         }

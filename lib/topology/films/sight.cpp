@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/sight.h"
 
+#include "dsc/queries/phases.h"
 #include "topology/films/bridge.h"
 #include "topology/junctions/sectors.h"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double min_angle = 0.5;
 /// A narrower sector (radians) is the end of a seam or the tip of a film, and no front.
 constexpr double min_sector = 1.9;
-/// Nothing is nearer than this, in edge lengths, where fronts meet within a sub-step.
+/// Fronts that meet within a sub-step are nearer to each other than this, in edge lengths.
 constexpr double farthest = 1.25;
 /// A vertex takes the place of a foot that is nearer than this, in edge lengths.
 constexpr double snap = 0.3;
@@ -37,7 +38,7 @@ public:
         find_sectors(complex_, Vertex{v}, sectors);
         std::optional<Sight<Real>> best;
         if (sectors.is_on_boundary) {
-            look_along_wall(v, sectors, best);
+            look_along_boundary(v, sectors, best);
             return best;
         }
         if (sectors.size() < 2) {
@@ -66,9 +67,10 @@ private:
                        return true;
                    }
                    const std::uint32_t w = complex_.vertex(next(c));
+                   const std::uint32_t noted = work_.notes[Vertex{w}].round;
                    return !is_outline(complex_, prev(c)) &&
-                          (work_.notes[Vertex{w}].round == work_.round ||
-                           work_.notes[Vertex{w}].round == 0) &&
+                          (noted == work_.round ||
+                           (noted == 0 && is_interface(complex_, Vertex{w}))) && // of a seam
                           (at(w) - at(v)).norm() < Real(1.5) * max_gap;
                }) != no_id;
     }
@@ -76,7 +78,7 @@ private:
     void look_into(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
                    std::optional<Sight<Real>>& best) const {
         const Sector<Real>& sector = sectors[k];
-        if (sector.angle < min_sector && !is_pocket(sector)) {
+        if (!meet_in_points(sector.phase) || (sector.angle < min_sector && !is_pocket(sector))) {
             return;
         }
         Corner c = sector.first;
@@ -218,15 +220,15 @@ private:
 
     // From the end of a front on the domain boundary along it, with the domain on the left, to the
     // end of another.
-    void look_along_wall(std::uint32_t v, const Sectors<Real>& sectors,
-                         std::optional<Sight<Real>>& best) const {
+    void look_along_boundary(std::uint32_t v, const Sectors<Real>& sectors,
+                             std::optional<Sight<Real>>& best) const {
         if (sectors.size() < 2 || sectors.is_at_corner) {
             return;
         }
         const Phase film = sectors[0].phase;
         Corner edge = prev(sectors[0].first); // leaves v
         Sectors<Real>& there = scratch_.there;
-        for (int i = 0; i < edges_along_wall && is_border(complex_.twin(edge)); ++i) {
+        for (int i = 0; i < edges_along_boundary && is_border(complex_.twin(edge)); ++i) {
             const std::uint32_t q = complex_.vertex(prev(edge));
             find_sectors(complex_, Vertex{q}, there);
             if (!there.is_on_boundary || there.is_at_corner || is_locked(q)) {

@@ -42,6 +42,6 @@ template <class Real>
                                                    SightScratch<Real>& scratch, std::uint32_t v);
 
 /// Edges of the domain boundary between the ends of two fronts that see each other along it.
-inline constexpr int edges_along_wall = 4;
+inline constexpr int edges_along_boundary = 4;
 
 } // namespace dsc

@@ -195,8 +195,11 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
         return false;
     }
     const Submesh<Real> submesh(complex);
-    return edge_collapse(submesh, prev(first), rewire::Vanishing::next) == Verdict::legal ||
-           edge_collapse(submesh, next(last), rewire::Vanishing::prev) == Verdict::legal;
+    const auto collapses = [&](Corner c, rewire::Vanishing vanishing) {
+        return edge_collapse(submesh, c, vanishing, BoundaryRule::smooth) == Verdict::legal;
+    };
+    return collapses(prev(first), rewire::Vanishing::next) ||
+           collapses(next(last), rewire::Vanishing::prev);
 }
 
 template <class Real>

@@ -56,7 +56,7 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
         }
     };
     std::size_t count = 0;
-    double height = 0; // of the line's first point
+    double height = 0; // of the piece's first point
     std::istringstream lines(text);
     std::string whole;
     for (int number = 1; std::getline(lines, whole); ++number) {
@@ -84,7 +84,7 @@ std::vector<Piece> read_points(const std::string& text, bool close, const std::s
                               .where = where + ':' + std::to_string(number),
                               .value = quoted_excerpt(whole),
                               .allowed = "two numbers x y, or three with one z for all points of a "
-                                         "line, or a comment after #; at most 1000000 lines"});
+                                         "piece, or a comment after #; at most 1000000 lines"});
         }
         points.push_back(p);
     }
