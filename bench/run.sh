@@ -31,7 +31,7 @@ only=
 # Left out by --quick, because they take minutes and add nothing to smaller ones: the fine swirl, four circles at 2.8
 # million triangles, at this size all strategies that do not follow the interface, copies of large meshes in more than
 # one scene, and the cost of options.
-large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000'
+large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000|enright.*:32'
 # The file gets every repetition; the terminal shows medians and spread.
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
     --benchmark_repetitions=3 --benchmark_min_time=0.05)

@@ -83,7 +83,8 @@ void register_all(const Suite& suite) {
     for (const std::string& name : suite.also) {
         (name == "operation" ? register_operations
          : name == "kernel"  ? register_kernels
-                             : register_flows)();
+         : name == "flow"    ? register_flows
+                             : register_space)();
     }
 }
 

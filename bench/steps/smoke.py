@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-FILTER = ("^(operation/edge_flip|kernel/gather_star|flow/|option/topology_change/speedup|"
+FILTER = ("^(operation/edge_flip|kernel/gather_star|flow/|space/translation-3d/edges:16/|option/topology_change/speedup|"
           "(scaling|four_circles)_step/strategy:(sequential|counting)/triangles:28000/|"
           "scaling_run/strategy:(sequential|cells)/triangles:28000/(threads:[0-9]+/)?between_us:100/|"
           "scaling_step/strategy:cells/triangles:28000/submeshes:0/threads:2/modelled:1)")
@@ -42,6 +42,9 @@ FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "
 OPTION = {**ITERATION, **dict.fromkeys((
     "ratio", "ratio_low", "ratio_high", "us_per_step", "us_per_step_without"), "number"),
     "label": "text"}
+SPACE = {**ITERATION, **dict.fromkeys((
+    "interface_vertices", "us_per_step", "us_per_vertex_and_sub_step", "us_per_tet_and_step", "vertices_off_h"),
+    "number"), "label": "text"}
 KERNEL = {**ITERATION, "items_per_second": "number", "label": "text"}
 ROUNDING = 1e-9
 CONTEXT = ("dsc_machine", "dsc_commit", "dsc_cores", "dsc_compiler", "dsc_build_type",
@@ -92,7 +95,7 @@ class Schema(unittest.TestCase):
     def test_rows_have_these_keys_and_no_others(self):
         for name, schema in (("scaling_run", RUN), ("scaling_step", STEP), ("four_circles_step", STEP),
                              ("operation", OPERATION), ("kernel", KERNEL),
-                             ("flow", FLOW)):
+                             ("flow", FLOW), ("space", SPACE)):
             for row in self.family(name):
                 self.assertEqual(masked(row), schema, row["name"])
 
@@ -297,7 +300,7 @@ class Usage(unittest.TestCase):
                      "four_circles_step/strategy:counting/triangles:2800000",
                      "operation/edge_split", "operation/edge_collapse",
                      "operation/loop_subdivision", "operation/local_retriangulation",
-                     "operation/laplacian_smoothing", "kernel/mesh_hash"):
+                     "operation/laplacian_smoothing", "kernel/mesh_hash", "space/enright/edges:32"):
             self.assertIn(name, done.stdout)
 
     def test_help_shows_a_suite_that_is_taken(self):

@@ -203,7 +203,7 @@ std::string read_text(const std::filesystem::path& path) {
 } // namespace
 
 const std::vector<std::string>& also_names() {
-    static const std::vector<std::string> names{"operation", "kernel", "flow"};
+    static const std::vector<std::string> names{"operation", "kernel", "flow", "space"};
     return names;
 }
 

@@ -2,7 +2,7 @@
 // A suite: the measurements of dsc_bench, read from a TOML file. bench/suites has those of the
 // project.
 //
-//     also = ["operation", "kernel", "flow"]  # rows that need no scene; see suites.h
+//     also = ["operation", "kernel", "flow", "space"]  # rows that need no scene; see suites.h
 //
 //     [[case]]
 //     scene = "swirl"             # of `dsc_scene list`, or a scene file, relative to this file; or

@@ -25,4 +25,7 @@ void register_kernels();
 /// `flow/NAME`: a velocity by formulas, compared with the same one in C++.
 void register_flows();
 
+/// `space/SCENE/edges:N`: a run in three dimensions with edges of length 1 / N.
+void register_space();
+
 } // namespace dsc::bench
