@@ -92,8 +92,7 @@ using Mesh3 = MeshOf<dsc3::Complex>;
 using MeshClass = py::class_<Mesh, std::shared_ptr<Mesh>>;
 using Mesh3Class = py::class_<Mesh3, std::shared_ptr<Mesh3>>;
 
-// --- what meshes of both dimensions have
-// ----------------------------------------------------------
+// --- what meshes of both dimensions have ---------------------------------------------------------
 
 /// The complex as bytes, without data, which dsc/mesh.py adds.
 template <class AnyMesh>
