@@ -56,6 +56,19 @@ class OwnScenes(CommandLine):
 
 
 class Units(OwnScenes):
+    def test_metres_of_a_map_do_as_well(self):
+        # An island in the coordinates of UTM, far from the origin.
+        self.write("island.txt", "510000 6198000 0\n516000 6199000 0\n515000 6205000 0\n509500 6203000 0\n")
+        scene = self.scene('[domain]\nlow = [490000, 6178000]\nhigh = [536000, 6224000]\n'
+                           '[options]\nh = 1500\nsteps = 10\nperiod = 1\n[flow]\nu = "3000"\nv = "0"\n'
+                           '[[shape]]\nfile = "island.txt"\n')
+        done = self.call_scene("run", scene, "--json", self.path("r.json"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("r.json"), encoding="utf-8") as stream:
+            result = json.load(stream)
+        self.assertLess(abs(result["area_ratio"] - 1), 1e-10)
+        self.assertEqual(result["unreached"], 0)
+
     def test_micrometres_do_as_well(self):
         in_micrometres = MINE.replace("h = 0.05\n", "h = 12.8\n").replace("[flow]", "[domain]\nlow = [0, 0]\nhigh = [256, 256]\n[flow]") \
             .replace("x)", "x/256)").replace("y)", "y/256)").replace('u = "', 'u = "256*').replace('v = "-', 'v = "-256*') \

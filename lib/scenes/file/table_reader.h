@@ -19,7 +19,7 @@
 namespace dsc::scenes {
 
 /// Bound of coordinates, lengths and counts of points in a scene file.
-inline constexpr double largest_coordinate = 1e6;
+inline constexpr double largest_coordinate = 1e15;
 inline constexpr std::size_t max_points = 1'000'000;
 inline constexpr int largest_phase = 1'000'000;
 
@@ -30,7 +30,7 @@ struct Bounds {
 };
 
 /// A length above 0.
-inline constexpr Bounds positive_length{1e-9, largest_coordinate};
+inline constexpr Bounds positive_length{1e-30, largest_coordinate};
 
 /// The table and the file's name must outlive the reader. Every function throws InputError for a
 /// value of the wrong type or out of bounds.

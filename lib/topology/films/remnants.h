@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Small pieces of a phase: remnants of an event, and pieces that shrink. A piece smaller than the
-// smallest area vanishes into the phase with which it shares the longest outline.
+// smallest area vanishes into the phase with which it shares the longest outline; one of the
+// exterior is shared by the fronts around it (last_piece.h).
 #pragma once
 
 #include "topology/candidates.h"
