@@ -44,7 +44,7 @@ Distance torus(const Point& centre, const Point& axis, Real circle_radius, Real 
 }
 
 std::vector<Shape> voronoi_cells(std::span<const Point> sites) {
-    std::vector<Shape> cells;
+    std::vector<Shape> shapes;
     for (std::size_t i = 0; i < sites.size(); ++i) {
         const std::vector<Point> before(sites.begin(),
                                         sites.begin() + static_cast<std::ptrdiff_t>(i));
@@ -71,9 +71,9 @@ std::vector<Shape> voronoi_cells(std::span<const Point> sites) {
         for (Phase phase = 0; phase < cell.phase; ++phase) {
             cell.divides.push_back({phase, cell.phase});
         }
-        cells.push_back(std::move(cell));
+        shapes.push_back(std::move(cell));
     }
-    return cells;
+    return shapes;
 }
 
 } // namespace dsc3

@@ -18,7 +18,7 @@ namespace dsc {
 
 namespace {
 
-constexpr std::size_t max_rounds = 32;
+constexpr std::size_t max_rounds_of_piece = 32;
 
 template <class Real>
 class LastPiece {
@@ -56,7 +56,7 @@ public:
             return false;
         }
         // Flips make all of the piece the star of the centre.
-        for (std::size_t round = 0; round < max_rounds; ++round) {
+        for (std::size_t round = 0; round < max_rounds_of_piece; ++round) {
             move_towards(centre, place);
             const Corner flipped = find_corner(complex_, Vertex{centre}, [&](Corner c) {
                 return is_of_film(c) && is_of_film(complex_.twin(c)) &&
@@ -212,7 +212,7 @@ private:
     // A vertex inside the piece: the only one, or a new one on its longest inner edge. A single
     // triangle has none: that in the middle of its shortest edge, which the front beyond follows.
     std::uint32_t vertex_within() {
-        for (std::size_t round = 0; round < max_rounds; ++round) {
+        for (std::size_t round = 0; round < max_rounds_of_piece; ++round) {
             std::vector<std::uint32_t> inside;
             Corner longest = no_id;
             Real max_length = 0;
@@ -249,7 +249,7 @@ private:
                 const SplitResult split = edge_split(submesh_, longest, middle);
                 return split.verdict == Verdict::legal ? split.vertex.id : no_id;
             }
-            if (inside.size() > max_rounds ||
+            if (inside.size() > max_rounds_of_piece ||
                 !remove_inside(work_, Vertex{inside.back()}, Real(0))) {
                 return no_id;
             }

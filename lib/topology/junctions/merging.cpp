@@ -204,9 +204,10 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
 
 template <class Real>
 void mend_star(TopologyWork<Real>& work, Vertex v) {
-    constexpr double slender = 0.2; // height over longest edge
-    constexpr double poor = 0.02;   // squared quality of what a removal may leave of a better star
-    constexpr int max_rounds = 7;
+    constexpr double slender_star = 0.2; // height over longest edge
+    constexpr double poor_star =
+        0.02; // squared quality of what a removal may leave of a better star
+    constexpr int rounds_of_mending = 7;
     Complex<Real>& complex = work.complex;
     Submesh<Real> submesh(complex);
     const auto at = [&](Corner c) { return complex.position(Vertex{complex.vertex(c)}); };
@@ -232,7 +233,7 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
     };
     // One that is within a phase, also on the domain boundary.
     const auto remove = [&](std::uint32_t w) {
-        auto now = static_cast<Real>(poor);
+        auto now = static_cast<Real>(poor_star);
         for_each_corner(complex, Vertex{w}, [&](Corner c) {
             const Real its = quality<Real>(at(c), at(next(c)), at(prev(c)));
             now = std::min(now, its > 0 ? its * its : Real(0));
@@ -242,9 +243,9 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
         }
         return remove_on_boundary(work, Vertex{w});
     };
-    for (int round = 0; round < max_rounds && complex.is_alive(v); ++round) {
+    for (int round = 0; round < rounds_of_mending && complex.is_alive(v); ++round) {
         Corner worst = no_id;
-        auto min_height = static_cast<Real>(slender);
+        auto min_height = static_cast<Real>(slender_star);
         for_each_corner(complex, v, [&](Corner c) {
             if (const Real one = height(c); one < min_height) {
                 min_height = one;
