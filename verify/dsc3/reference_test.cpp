@@ -164,10 +164,11 @@ std::vector<std::uint32_t> link_of(const Complex& complex, const Tets& ring, std
         next[others[0]] = others[1];
     }
     std::uint32_t first = next.begin()->first;
-    for (const auto& [x, after] : next) {
-        const bool is_after_none = std::none_of(
-            next.begin(), next.end(), [&](const auto& other) { return other.second == x; });
-        first = is_after_none ? x : first;
+    for (const auto& pair : next) {
+        const bool is_after_none = std::none_of(next.begin(), next.end(), [&](const auto& other) {
+            return other.second == pair.first;
+        });
+        first = is_after_none ? pair.first : first;
     }
     std::vector<std::uint32_t> link{first};
     for (auto at = next.find(first); at != next.end() && at->second != first;

@@ -81,9 +81,10 @@ TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
         Ball ball;
         Point velocity; // the first component across a side does nothing
     };
-    for (const auto& [ball, velocity] :
-         {Case{half, {0.4, 0.3, -1}}, Case{{half_above.centre, 2}, {0.4, 0.3, 1}},
-          Case{quarter, {-1, 0.5, 1}}, Case{{quarter.centre, 2}, {0, 0.5, 0}}}) {
+    for (const Case& one : {Case{half, {0.4, 0.3, -1}}, Case{{half_above.centre, 2}, {0.4, 0.3, 1}},
+                            Case{quarter, {-1, 0.5, 1}}, Case{{quarter.centre, 2}, {0, 0.5, 0}}}) {
+        const Ball& ball = one.ball;
+        const Point& velocity = one.velocity;
         Complex complex = ball.complex(h);
         const std::uint32_t points = count_strata(complex).point;
         Point along = velocity;

@@ -17,7 +17,7 @@ constexpr double min_angle = 0.5;
 /// A narrower sector (radians) is the end of a seam or the tip of a film, and no front.
 constexpr double min_sector = 1.9;
 /// Fronts that meet within a sub-step are nearer to each other than this, in edge lengths.
-constexpr double farthest = 1.25;
+constexpr double max_gap_of_fronts = 1.25;
 /// A vertex takes the place of a foot that is nearer than this, in edge lengths.
 constexpr double snap = 0.3;
 /// Fronts approach if they come closer by this share of their way.
@@ -58,7 +58,7 @@ private:
 
     // Whether the star of an interface vertex reaches another front at all: nearly none does.
     [[nodiscard]] bool may_see(std::uint32_t v) const {
-        const Real max_gap = static_cast<Real>(farthest) * work_.edge_length;
+        const Real max_gap = static_cast<Real>(max_gap_of_fronts) * work_.edge_length;
         return find_corner(complex_, Vertex{v}, [&](Corner c) {
                    if (is_sheet(complex_, c)) {
                        return true;
@@ -182,7 +182,7 @@ private:
                         std::uint32_t q, Real gap, std::optional<Sight<Real>>& best) const {
         const Point<Real> way = at(q) - at(v);
         const Real length = way.norm();
-        const Real max_gap = static_cast<Real>(farthest) * work_.edge_length;
+        const Real max_gap = static_cast<Real>(max_gap_of_fronts) * work_.edge_length;
         const bool is_at_foot = gap >= 0;
         gap = is_at_foot ? gap : length;
         const Point<Real> towards = way / length;
@@ -243,7 +243,7 @@ private:
                 sight.normal_v = way / gap;
                 sight.normal_q = -way / gap;
                 sight.is_on_boundary = true;
-                if (gap < static_cast<Real>(farthest) * work_.edge_length &&
+                if (gap < static_cast<Real>(max_gap_of_fronts) * work_.edge_length &&
                     closes(sight, Point<Real>(way / gap), false)) {
                     best = sight;
                 }

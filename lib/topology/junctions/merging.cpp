@@ -205,8 +205,7 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
 template <class Real>
 void mend_star(TopologyWork<Real>& work, Vertex v) {
     constexpr double slender_star = 0.2; // height over longest edge
-    constexpr double poor_star =
-        0.02; // squared quality of what a removal may leave of a better star
+    constexpr double poor_star = 0.02;   // squared quality that a removal may leave of a better one
     constexpr int rounds_of_mending = 7;
     Complex<Real>& complex = work.complex;
     Submesh<Real> submesh(complex);
