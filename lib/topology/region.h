@@ -42,6 +42,7 @@ struct TopologyWork {
     std::vector<Event>& events;
     std::span<const std::uint32_t> interface = {}; ///< its vertices
     std::uint32_t round = 0;                       ///< of the notes on them
+    bool is_again = false; ///< stages have edited the complex since the notes were made
     /// Whether a vertex of the interface is blocked, or may be.
     bool has_blocked = true;
     const InShares& in_shares = one_by_one; ///< the threads of the step
@@ -55,6 +56,12 @@ struct TopologyWork {
     /// The candidates that were blocked before the change, ascending.
     std::vector<std::uint32_t> blocked = {};
 };
+
+/// Whether vertices may have come onto the interface since the notes were made. O(1).
+template <class Real>
+[[nodiscard]] bool may_lack_notes(const TopologyWork<Real>& work) {
+    return work.is_again || !work.touched.empty();
+}
 
 /// Whether the half-edge has another phase, or the outside of the domain, on its right. O(1).
 template <class Real>

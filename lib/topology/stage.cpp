@@ -68,17 +68,18 @@ std::optional<Pass<Real>> TopologyStage<Real>::pass() {
 
 template <class Real>
 void TopologyStage<Real>::run(const Between<Real>& between) {
-    run_round(between, round_++);
+    run_round(between, round_++, false);
 }
 
 template <class Real>
 void TopologyStage<Real>::run_again(const Between<Real>& between) {
-    run_round(between, round_ - 1);
+    run_round(between, round_ - 1, true);
 }
 
 // `round`: of the notes.
 template <class Real>
-void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t round) {
+void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t round,
+                                    bool is_again) {
     if (notable_.contact == 0) {
         return;
     }
@@ -120,6 +121,7 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
                                     .events = events_,
                                     .interface = between.interface,
                                     .round = round,
+                                    .is_again = is_again,
                                     .has_blocked = std::ranges::count(has_blocked, true) > 0,
                                     .in_shares = between.in_shares,
                                     .sights = sights_},

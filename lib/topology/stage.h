@@ -51,7 +51,7 @@ public:
 
 private:
     void find_notability();
-    void run_round(const Between<Real>& between, std::uint32_t round);
+    void run_round(const Between<Real>& between, std::uint32_t round, bool is_again);
 
     TopologyOptions<Real> options_;
     Complex<Real>* complex_ = nullptr; ///< of the simulation; null before there is one

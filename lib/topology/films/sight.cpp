@@ -69,8 +69,8 @@ private:
                    const std::uint32_t w = complex_.vertex(next(c));
                    const std::uint32_t noted = work_.notes[Vertex{w}].round;
                    return !is_outline(complex_, prev(c)) &&
-                          (noted == work_.round ||
-                           (noted == 0 && is_interface(complex_, Vertex{w}))) && // of a seam
+                          (noted == work_.round || (noted == 0 && may_lack_notes(work_) &&
+                                                    is_interface(complex_, Vertex{w}))) &&
                           (at(w) - at(v)).norm() < Real(1.5) * max_gap;
                }) != no_id;
     }
