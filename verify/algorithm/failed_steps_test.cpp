@@ -384,7 +384,7 @@ TEST(Stages, RunAgainIfAVertexIsStillBlockedAfterTheirEdits) {
     EXPECT_EQ(stage->again, 1) << "once, because it changes nothing then";
 }
 
-// What a stage moves is where it belongs: its target was that of another place.
+// A vertex that a stage moves is where it belongs: its target was found for another place.
 TEST(Stages, TakeTheTargetFromAVertexThatTheyMove) {
     const auto stage = std::make_shared<Editing>([](const Between<double>& between) {
         Complex<double>& complex = between.complex;

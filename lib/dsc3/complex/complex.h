@@ -140,7 +140,7 @@ public:
         return (vertices[v.id].flags & vertex_boundary) != 0;
     }
 
-    /// Those of `vertex_fixed_x`, `vertex_fixed_y` and `vertex_fixed_z` that two vertices on the
+    /// The flags `vertex_fixed_x`, `vertex_fixed_y` and `vertex_fixed_z` that two vertices on the
     /// domain boundary have in common, on the same sides; with one vertex twice, its own.
     [[nodiscard]] std::uint32_t fixed_along(std::uint32_t a, std::uint32_t b) const;
 

@@ -24,9 +24,9 @@ namespace dsc3 {
 [[nodiscard]] Distance torus(const Point& centre, const Point& axis, Real circle_radius,
                              Real tube_radius);
 
-/// Voronoi cells, which fill the domain: what is nearest to site i has phase i. Each cell divides
-/// those before it, so its distance takes O(sites). Throws InputError if a site is not finite or
-/// two are equal.
+/// Voronoi cells, which fill the domain: points nearest to site i have phase i. Each cell divides
+/// the cells before it, so its distance takes O(sites). Throws InputError if a site is not finite
+/// or two are equal.
 [[nodiscard]] std::vector<Shape> voronoi_cells(std::span<const Point> sites);
 
 /// A surface of triangles.
@@ -36,7 +36,7 @@ struct TriangleSurface {
     std::string name = "surface";                        ///< used in error messages
 };
 
-/// What a closed surface encloses, to compare with a first complex: in that, parts thinner than two
+/// Figures of a closed surface, to compare with a first complex: there, parts thinner than two
 /// edge lengths or so are lost, break, or merge.
 struct SurfaceFigures {
     Real volume = 0;                       ///< without hollows

@@ -171,7 +171,7 @@ Verdict edge_collapse(Complex& complex, Workspace& work, Vertex vanishing, Verte
     auto& made = work.rewiring.made;
     old.clear();
     made.clear();
-    // Faces on the sides: those at the vertex, and what becomes of them.
+    // Faces on the sides: before the collapse at the vertex, after it at the target.
     std::uint32_t unmatched = 0;
     for (const Corner corner : work.star.corners) {
         const std::uint32_t t = tet_of(corner);

@@ -15,7 +15,7 @@ Vertex edge_split(Complex& complex, Workspace& work, const EdgeAt& edge, Point p
     }
     const std::uint32_t fixed = ring.closed ? 0 : complex.fixed_along(edge.a, edge.b);
     keep_on_sides(place, complex.at(edge.a), fixed);
-    // Those of the two faces of the domain boundary at the edge: all three on an oblique side.
+    // The two faces of the domain boundary at the edge fix these: all three on an oblique side.
     const auto at_face = [&](std::uint32_t t, std::uint32_t opposite) {
         return fixed_at(complex, corner_of(t, index_in(complex.tets[t], opposite)));
     };

@@ -20,7 +20,9 @@ for ax, sign, title in zip(axes, (0, 1, -1), ("the start", "after time 0.5", "an
     faces = mesh.interface_faces()
     ax.plot_trisurf(*mesh.points.T, triangles=faces.triangles[faces.inside == 1], color="C0")
     ax.plot_trisurf(*mesh.points.T, triangles=faces.triangles[faces.inside == 2], color="C1")
-    ax.set(title=title, xlim=(0.2, 0.65), ylim=(0.2, 0.65), zlim=(0.2, 0.65), box_aspect=(1, 1, 1))
+    ax.set(xlim=(0.2, 0.8), ylim=(0.1, 0.7), zlim=(0.15, 0.75))
+    ax.set_box_aspect((1, 1, 1), zoom=1.5)
+    ax.set_title(title, y=0.9)
     ax.set_axis_off()
 outer = mesh.points[np.unique(faces.triangles[faces.outside == 0])]
 print(f"back within {np.abs(ball(outer)).max() / h:.0e} edge lengths of the ball")

@@ -165,7 +165,7 @@ private:
         }
     }
 
-    // What was in the way of the vertex, or of those around it, no longer is.
+    // The vertex, and the vertices around it, are not blocked any more.
     void settle(std::uint32_t kept) {
         complex_.vertices[kept].flags &=
             ~static_cast<std::uint32_t>(vertex_contact | vertex_feature | vertex_on_way);

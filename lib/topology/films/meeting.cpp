@@ -66,7 +66,7 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // Those with the smallest gap come first.
+    // Vertices with the smallest gap come first.
     std::vector<std::uint32_t> vertices_that_see() const {
         using Found = std::tuple<Real, Real, Real, std::uint32_t>;
         std::array<std::vector<Found>, ranges_of_places> parts;
@@ -227,7 +227,7 @@ private:
     }
 
     // The vertex belongs to a seam of the same fronts, which begins at it or within a few edges
-    // along the film: what is between is a pocket, which closes next.
+    // along the film: between them is a pocket, which closes next.
     [[nodiscard]] bool is_beside_seam(std::uint32_t v, const Sight<Real>& sight) const {
         return has_seam(v, sight.one, sight.other) ||
                find_corner(complex_, Vertex{v}, [&](Corner c) {

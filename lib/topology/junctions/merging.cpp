@@ -230,7 +230,7 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
         }
         return best != no_id && edge_flip(submesh, best) == Verdict::legal;
     };
-    // One that is within a phase, also on the domain boundary.
+    // Removes a vertex within a phase, also on the domain boundary.
     const auto remove = [&](std::uint32_t w) {
         auto now = static_cast<Real>(poor_star);
         for_each_corner(complex, Vertex{w}, [&](Corner c) {
