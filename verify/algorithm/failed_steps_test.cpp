@@ -8,11 +8,8 @@
 #include "dsc/base/archive.h"
 #include "dsc/base/error.h"
 #include "dsc/base/verdict.h"
-#include "dsc/complex/circulate.h"
-#include "dsc/complex/rewire.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/mesh/size_update.h"
-#include "dsc/queries/phases.h"
 #include "replay/replay.h"
 #include "thesis/divisions/slabs.h"
 
@@ -20,12 +17,10 @@
 
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dsc::failed_steps_test {
@@ -323,97 +318,6 @@ TEST(Steps, RefuseWhatBelongsBetweenThem) {
     EXPECT_NO_THROW(simulation.set_options(options)) << "between two steps";
     EXPECT_THROW((void)simulation.step(asks, 0, -1), InputError);
     EXPECT_NO_THROW(simulation.set_options(options)) << "after one that was refused";
-}
-
-TEST(Stages, BelongToOneSimulationAtATime) {
-    Complex<double> one = disc();
-    Complex<double> other = disc();
-    const Options<double> options{.edge_length = disc_h};
-    const auto stage = std::make_shared<Standing>();
-    auto first = std::make_unique<Simulation<double>>(one, options);
-    Simulation<double> second(other, options);
-    first->add_stage(stage);
-    EXPECT_THROW(first->add_stage(stage), InputError);
-    EXPECT_THROW(second.add_stage(stage), InputError);
-    first.reset();
-    EXPECT_NO_THROW(second.add_stage(stage));
-}
-
-// Edits the complex once a sub-step, and counts the calls.
-class Editing final : public Stage<double> {
-public:
-    explicit Editing(std::function<void(const Between<double>&)> edit) : edit_(std::move(edit)) {}
-    void run(const Between<double>& between) override { edit_(between); }
-    void run_again(const Between<double>& between) override {
-        ++again;
-        EXPECT_EQ(between.unreached, 1U);
-    }
-    int again = 0;
-
-private:
-    std::function<void(const Between<double>&)> edit_;
-};
-
-// A vertex of a small disc is sent through its other side, where it is blocked, while the rest
-// stays.
-void send_through(const std::shared_ptr<Editing>& stage, std::uint64_t unreached) {
-    Complex<double> complex = test::disc_complex<double>(disc_h, {0.5, 0.7}, 0.7 * disc_h);
-    Simulation<double> simulation(
-        complex, {.edge_length = disc_h, .integrator = Integrator::euler, .sub_step = 2});
-    simulation.add_stage(stage);
-    const Point<double> sent = complex.position(Vertex{simulation.interface()[0]});
-    const Point<double> way = 2.5 * (Point<double>(0.5, 0.7) - sent);
-    const Velocity<double> send = [&](auto positions, double, auto velocities) {
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            velocities[i] = positions[i] == sent ? way : Point<double>(0, 0);
-        }
-    };
-    EXPECT_EQ(simulation.step(send, 0, 1).unreached, unreached);
-    test::expect_sound(complex, simulation);
-}
-
-TEST(Stages, RunAgainIfAVertexIsStillBlockedAfterTheirEdits) {
-    const auto stage = std::make_shared<Editing>([](const Between<double>& between) {
-        const Corner inside =
-            find_corner(between.complex, Vertex{between.interface[0]},
-                        [&](Corner c) { return !is_border(between.complex.twin(c)); });
-        EXPECT_EQ(edge_split(between.complex, between.complex.edge(inside)).verdict,
-                  Verdict::legal);
-    });
-    send_through(stage, 1);
-    EXPECT_EQ(stage->again, 1) << "once, because it changes nothing then";
-}
-
-// A vertex that a stage moves is where it belongs: its target was found for another place.
-TEST(Stages, TakeTheTargetFromAVertexThatTheyMove) {
-    const auto stage = std::make_shared<Editing>([](const Between<double>& between) {
-        Complex<double>& complex = between.complex;
-        for (const std::uint32_t v : between.interface) {
-            if ((complex.vertices[v].flags & vertex_missed) != 0) {
-                const Point<double> place = complex.position(Vertex{v}) + Point<double>(1e-9, 0);
-                rewire::move(complex, complex.journal, v, place.x(), place.y(),
-                             MoveReason::smoothing);
-            }
-        }
-    });
-    send_through(stage, 0);
-    EXPECT_EQ(stage->again, 0);
-}
-
-// A vertex that is no longer on the border of a phase has a target that was for such a border.
-TEST(Stages, TakeTheTargetFromAVertexThatTheyTakeOffAPhase) {
-    const auto stage = std::make_shared<Editing>([](const Between<double>& between) {
-        Complex<double>& complex = between.complex;
-        for (const std::uint32_t v : between.interface) {
-            for_each_corner(complex, Vertex{v}, [&](Corner c) {
-                if ((complex.vertices[v].flags & vertex_missed) != 0 && complex.phase_at(c) == 0) {
-                    rewire::relabel(complex, complex.journal, Triangle{triangle_of(c)}, 2);
-                }
-            });
-        }
-    });
-    send_through(stage, 0);
-    EXPECT_EQ(stage->again, 0);
 }
 
 } // namespace

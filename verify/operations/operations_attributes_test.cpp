@@ -3,6 +3,7 @@
 // follow as attributes.h promises. Expected values are computed from the complex before the
 // operation and from vertex ids, independently of how records are rewritten. An attribute class of
 // the application, a conserved quantity, goes through all operations and through steps.
+#include "support/conserved.h"
 #include "support/copy_testing.h"
 #include "support/operations_testing.h"
 #include "support/random/complex.h"
@@ -25,51 +26,10 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
 
 namespace dsc::test::operations_attributes_test {
 namespace {
-
-/// A conserved quantity of triangles: divided in proportion to area if a triangle is cut or two are
-/// flipped, and given to neighbours if one vanishes.
-class Conserved final : public AttributeBase {
-public:
-    explicit Conserved(std::string name) : AttributeBase(std::move(name), SimplexKind::triangle) {}
-
-    double& operator[](Triangle t) { return values_[t.id]; }
-
-    [[nodiscard]] std::size_t size() const override { return values_.size(); }
-    void resize(std::size_t size) override { values_.resize(size, 0); }
-    [[nodiscard]] std::unique_ptr<AttributeBase> clone_empty() const override {
-        return std::make_unique<Conserved>(name());
-    }
-    void append(const AttributeBase& from, const std::vector<std::uint32_t>& order) override {
-        for (const std::uint32_t entry : order) {
-            values_.push_back(entry == no_id ? 0
-                                             : static_cast<const Conserved&>(from).values_[entry]);
-        }
-    }
-    void swap_entries(AttributeBase& other) noexcept override {
-        values_.swap(static_cast<Conserved&>(other).values_);
-    }
-    void copy(std::uint32_t to, std::uint32_t from) override { values_[to] = values_[from]; }
-    void reset(std::uint32_t to) override { values_[to] = 0; }
-
-    void split(std::uint32_t to, std::uint32_t from, double share) override {
-        values_[to] = share * values_[from];
-        values_[from] -= values_[to];
-    }
-    void merge(std::uint32_t into, std::uint32_t gone) override { values_[into] += values_[gone]; }
-    void flip(std::uint32_t one, std::uint32_t other, double share) override {
-        const double both = values_[one] + values_[other];
-        values_[one] = share * both;
-        values_[other] = both - values_[one];
-    }
-
-private:
-    std::vector<double> values_;
-};
 
 template <class Real>
 void give_density_one(const Complex<Real>& complex, Conserved& mass) {
@@ -298,109 +258,6 @@ TEST(OwnAttributes, FollowASimulation) {
         EXPECT_NEAR(total(copy, copied), whole, 1e-11);
         EXPECT_NEAR(total(complex, mass), whole, 1e-11);
     }
-}
-
-// --- attributes that throw -----------------------------------------------------------------------
-
-// A type whose copies and blends throw when a countdown ends.
-struct Fragile {
-    static inline int countdown = -1;
-    static void touch() {
-        if (countdown >= 0 && countdown-- == 0) {
-            throw std::domain_error("as seeded");
-        }
-    }
-    double value = 0;
-
-    Fragile() = default;
-    Fragile(double number) : value(number) {} // NOLINT(google-explicit-constructor)
-    Fragile(const Fragile&) = default;
-    Fragile& operator=(const Fragile& other) {
-        touch();
-        value = other.value;
-        return *this;
-    }
-    ~Fragile() = default;
-};
-
-Complex<double> with_fragile() {
-    auto complex = random_complex<double>(11, {.points = 60, .phases = 1, .holes = 0, .locked = 0});
-    complex.attributes.add<Vertex>("sturdy", 1.0).data()[0] = 5;
-    complex.attributes.add<Vertex>(
-        "fragile", Fragile(1),
-        [](const Fragile& a, const Fragile&, double) { return Fragile(a.value); });
-    complex.attributes.add<Edge>("fragile edges", Fragile(2));
-    complex.attributes.add<Edge>("edges", 3);
-    complex.attributes.add<Triangle>("fragile triangles", Fragile(3));
-    complex.attributes.add(std::make_unique<Conserved>("triangles"));
-    return complex;
-}
-
-// Checks that the operation is completed: only the data that threw differ from a run without the
-// exception.
-template <class Operate>
-int expect_whole(Operate operate) {
-    Fragile::countdown = -1;
-    const Complex<double> start = with_fragile();
-    Complex<double> expected = start;
-    expected.journal.readers = 1;
-    operate(expected);
-    int thrown = 0;
-    for (bool throws = true; throws; thrown += throws ? 1 : 0) {
-        Fragile::countdown = -1;
-        Complex<double> complex = start;
-        complex.journal.readers = 1;
-        Fragile::countdown = thrown;
-        throws = false;
-        try {
-            operate(complex);
-        } catch (const std::domain_error&) {
-            throws = true;
-        }
-        Fragile::countdown = -1;
-        EXPECT_EQ(validate(complex).problem, "");
-        EXPECT_EQ(mesh_hash(complex), mesh_hash(expected));
-        EXPECT_EQ(complex.journal.records.size(), expected.journal.records.size());
-        EXPECT_EQ((complex.attributes.get<Vertex, double>("sturdy").data()),
-                  (expected.attributes.get<Vertex, double>("sturdy").data()));
-        EXPECT_EQ((complex.attributes.get<Edge, int>("edges").data()),
-                  (expected.attributes.get<Edge, int>("edges").data()));
-    }
-    return thrown;
-}
-
-// Applies the operation to the first simplex for which it is legal.
-template <class Simplices, class Operate>
-void on_first(const Simplices& simplices, Operate operate) {
-    for (const auto simplex : simplices) {
-        if (operate(simplex) == Verdict::legal) {
-            return;
-        }
-    }
-    ADD_FAILURE() << "nothing was legal";
-}
-
-TEST(AttributesThatThrow, LeaveEachEditWhole) {
-    EXPECT_GE(expect_whole([](auto& K) {
-                  on_first(edges(K), [&](Edge e) { return edge_split(K, e).verdict; });
-              }),
-              4);
-    EXPECT_GE(
-        expect_whole([](auto& K) { on_first(edges(K), [&](Edge e) { return edge_flip(K, e); }); }),
-        3);
-    EXPECT_GE(expect_whole(
-                  [](auto& K) { on_first(edges(K), [&](Edge e) { return edge_collapse(K, e); }); }),
-              1);
-    EXPECT_GE(expect_whole([](auto& K) {
-                  on_first(triangles(K),
-                           [&](Triangle t) { return local_retriangulation(K, t).verdict; });
-              }),
-              3);
-    EXPECT_GE(expect_whole([](auto& K) {
-                  on_first(triangles(K),
-                           [&](Triangle t) { return loop_subdivision(K, t).verdict; });
-              }),
-              10);
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "dsc/algorithm/executor.h"
+#include "dsc/algorithm/sub_step.h"
 
 #include "dsc/base/room.h"
 #include "dsc/passes/work.h"

@@ -8,6 +8,7 @@
 #include "dsc/passes/boundary.h"
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
+#include "dsc/passes/interface/limits.h"
 #include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
@@ -25,22 +26,7 @@ template <class Real>
 class Remeshing {
 public:
     explicit Remeshing(Work<Real>& work)
-        : work_(work), complex_(work.complex), thresholds_(work.options.interface),
-          longest_squared_(square(thresholds_.longest)),
-          shortest_squared_(square(thresholds_.shortest)),
-          bypass_squared_(square(thresholds_.longest + thresholds_.shortest)),
-          deviation_squared_(square(thresholds_.deviation)),
-          degenerate_squared_(square(thresholds_.degenerate * thresholds_.deviation)),
-          finest_squared_(square(2 * thresholds_.finest)),
-          turn_squared_(
-              static_cast<Real>(std::pow(thresholds_.turn_degrees * std::numbers::pi / 180, 2))),
-          gap_squared_(static_cast<Real>(thresholds_.gap * thresholds_.gap)),
-          sizes_(work.options.sizes, work.options.edge_length),
-          follows_shape_(thresholds_.turn_degrees > 0 || thresholds_.gap > 0),
-          // A boundary edge ahead of an end that is shorter than a sub-step blocks the motion, so
-          // it is collapsed even if a triangle becomes poor for a while.
-          boundary_{square(work.options.phases.longest), square(work.options.sub_step), Real(0.05),
-                    square(std::min(work.options.sub_step, work.options.phases.longest / 2))} {}
+        : work_(work), complex_(work.complex), thresholds_(work.options.interface), limits_(work) {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -53,27 +39,6 @@ public:
     }
 
 private:
-    Real square(double relative) const {
-        const Real value = static_cast<Real>(relative) * work_.options.edge_length;
-        return value * value;
-    }
-
-    // The square of the target of interface edges at a place, over that of the edge length.
-    Real stretch(const Point<Real>& place) const {
-        if (!work_.options.sizes.on_interface) {
-            return 1;
-        }
-        const Real ratio = sizes_.on_interface(place, work_.time) / work_.options.edge_length;
-        return ratio * ratio;
-    }
-
-    // The largest allowed squared length of an interface edge; `local` is the limit by the shape at
-    // one end.
-    Real allowed(Real local, const Point<Real>& from, const Point<Real>& to) const {
-        const Real here = longest_squared_ * stretch(midpoint<Real>(from, to));
-        return local < longest_squared_ ? std::min(local, here) : here;
-    }
-
     void visit(std::uint32_t v) {
         if (!complex_.is_alive(Vertex{v})) {
             return;
@@ -88,7 +53,7 @@ private:
         if (!star.owned) {
             // Triangles that straddle two submeshes do not change now, so that the star shows
             // whether an edit is needed; only a gap depends on what lies beyond the link.
-            if (gap_squared_ > 0 || should_collapse(star, incident) ||
+            if (limits_.gap > 0 || should_collapse(star, incident) ||
                 long_edge(star, incident) != no_id || wants_boundary_remeshing(star)) {
                 work_.deferred.remeshing(v);
             } else if (incident.count > 0) {
@@ -124,16 +89,9 @@ private:
 
     // --- the interface along the domain boundary ----------------------------------------------
     bool wants_boundary_remeshing(const Star<Real>& star) const {
-        return !star.closed && (should_collapse_on_boundary(star, boundary_at(star)) ||
+        return !star.closed && (should_collapse_on_boundary(star, limits_.on_boundary(star)) ||
                                 (star.phase[0] != exterior_phase &&
-                                 should_split_boundary(star, boundary_at(star))));
-    }
-
-    // If the interface is finer than the edge length, boundary edges are as fine as the interface.
-    BoundaryLimits<Real> boundary_at(const Star<Real>& star) const {
-        const Real share = std::min(Real(1), stretch({star.x0, star.y0}));
-        return {share * boundary_.longest, share * boundary_.shortest, boundary_.min_quality,
-                share * boundary_.blocking};
+                                 should_split_boundary(star, limits_.on_boundary(star))));
     }
 
     // A short boundary edge that blocks the end of a curve, or a vertex that slides into a corner
@@ -170,7 +128,7 @@ private:
     // Returns true if the star is stale after an edit; the vertices to be kept are then in the
     // list.
     bool keep_boundary(std::uint32_t v, const Star<Real>& star) {
-        BoundaryLimits<Real> boundary = boundary_at(star);
+        BoundaryLimits<Real> boundary = limits_.on_boundary(star);
         if (may_collapse_on_boundary(star, boundary)) {
             // Of several vertices close to each other, as a phase leaves them that vanishes in a
             // corner of the domain, the first one leaves triangles about as poor as they were.
@@ -200,29 +158,29 @@ private:
     // --- coarsening ---------------------------------------------------------------------------
     bool should_collapse(const Star<Real>& star, const IncidentEdges& incident) {
         if (thresholds_.coarsening == Coarsening::never || incident.count != 2 || !star.closed ||
-            is_feature(star.vertex)) {
+            complex_.is_feature(Vertex{star.vertex})) {
             return false;
         }
         const Point<Real> p(star.x0, star.y0);
         const Point<Real> a = link_point(star, incident.first);
         const Point<Real> b = link_point(star, incident.second);
         const Real nearest = std::min(squared_distance(p, a), squared_distance(p, b));
-        const Real here = stretch(p);
-        if (nearest >= here * shortest_squared_) {
+        const Real here = limits_.stretch(p);
+        if (nearest >= here * limits_.shortest) {
             return false;
         }
         if (const Real merged = squared_distance(a, b);
-            merged >= allowed(longest_squared(star, incident), a, b) &&
-            (merged >= here * bypass_squared_ || !is_ahead_of_end(star, incident))) {
+            merged >= limits_.allowed(limits_.by_shape(complex_, star, incident), a, b) &&
+            (merged >= here * limits_.bypass || !is_ahead_of_end(star, incident))) {
             return false;
         }
-        if (nearest < here * degenerate_squared_ &&
+        if (nearest < here * limits_.degenerate &&
             !turns_less<Real>(a, p, b, std::numbers::sqrt2_v<Real> / 2)) {
             return true;
         }
         return turns_less<Real>(a, p, b, Real(0)) &&
                (thresholds_.coarsening != Coarsening::deviation ||
-                squared_deviation(star, incident) < here * deviation_squared_);
+                squared_deviation(star, incident) < here * limits_.deviation);
     }
 
     // Whether the nearer neighbour is an end of the curve: a junction, or on the domain boundary.
@@ -296,30 +254,12 @@ private:
     }
 
     // --- refinement ---------------------------------------------------------------------------
-    // The largest allowed squared length of interface edges at the centre, by the shape there.
-    Real longest_squared(const Star<Real>& star, const IncidentEdges& incident) const {
-        if (!follows_shape_ || incident.count != 2) {
-            return longest_squared_;
-        }
-        Real longest = longest_squared_;
-        // The angle at which a curve meets the domain boundary is not a bend of the curve.
-        if (turn_squared_ > 0 && star.closed && !is_feature(star.vertex)) {
-            const Real bend = curvature<Real>(link_point(star, incident.first), {star.x0, star.y0},
-                                              link_point(star, incident.second));
-            longest = std::min(longest, turn_squared_ / (bend * bend));
-        }
-        if (gap_squared_ > 0) {
-            longest = std::min(longest, gap_squared_ * squared_gap(complex_, star, incident));
-        }
-        return std::max(longest, finest_squared_);
-    }
-
     // The interface edge to be split; no_id if there is none. An edge longer than the general limit
     // is split only from the end at which the larger phase is on its left, so that each edge is
     // found once. An edge too long for the shape at the centre is split from the centre.
     std::uint32_t long_edge(const Star<Real>& star, const IncidentEdges& incident) const {
         const Point<Real> p(star.x0, star.y0);
-        const Real local = longest_squared(star, incident);
+        const Real local = limits_.by_shape(complex_, star, incident);
         std::uint32_t found = no_id;
         Real longest = 0;
         const auto look_at = [&](std::uint32_t i) {
@@ -329,8 +269,8 @@ private:
                 return;
             }
             const Real squared = squared_distance(p, link_point(star, i));
-            const bool is_found_here = after > before || local < longest_squared_;
-            if (is_found_here && squared > allowed(local, p, link_point(star, i)) &&
+            const bool is_found_here = after > before || local < limits_.longest;
+            if (is_found_here && squared > limits_.allowed(local, p, link_point(star, i)) &&
                 squared > longest) {
                 found = i;
                 longest = squared;
@@ -423,24 +363,10 @@ private:
         return owns_place(work_.submesh.region, point);
     }
 
-    bool is_feature(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & vertex_feature) != 0;
-    }
-
     Work<Real>& work_;
     Complex<Real>& complex_;
     const InterfaceThresholds& thresholds_;
-    Real longest_squared_;
-    Real shortest_squared_;
-    Real bypass_squared_; // limit of an edge that is merged to let an end of the curve pass
-    Real deviation_squared_;
-    Real degenerate_squared_;
-    Real finest_squared_;
-    Real turn_squared_;
-    Real gap_squared_;
-    SizeRule<Real> sizes_;
-    bool follows_shape_;
-    BoundaryLimits<Real> boundary_;
+    InterfaceLimits<Real> limits_;
     std::uint32_t newest_ = no_id;
 };
 

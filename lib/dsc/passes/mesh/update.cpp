@@ -3,9 +3,10 @@
 
 #include "dsc/base/verdict.h"
 #include "dsc/motion/movement.h"
-#include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/passes/boundary.h"
+#include "dsc/passes/mesh/flips.h"
+#include "dsc/passes/mesh/poor_stars.h"
 #include "dsc/passes/mesh/size_update.h"
 #include "dsc/passes/mesh/star.h"
 #include "dsc/passes/waiting.h"
@@ -20,9 +21,6 @@ namespace dsc {
 
 namespace {
 
-/// Lawson's algorithm terminates; this bound only guards against rounding that the tolerance of the
-/// test does not cover.
-constexpr std::size_t max_flips_at_once = 4096;
 /// Rounds at one vertex: flips and splits change its star, so it is gathered again.
 constexpr int max_turns = 6;
 /// Squared share of the shortest edge: boundary edges below it block vertices that move along the
@@ -46,17 +44,17 @@ public:
         Real length = 0; // the target, updated once per visit
         for (int turn = 0; turn < max_turns; ++turn) {
             if (!gather_star(v)) {
-                list_unexamined(v);
+                list_unexamined(work_, v);
                 return;
             }
             if (waiting_.applies() && waits(work_, waiting_, star_)) {
-                list_unexamined(v);
+                list_unexamined(work_, v);
                 deferred(work_, v);
                 return;
             }
             ++work_.log.counts.examined;
             const StarReport<Real> report = examine(star_, margins_);
-            if (report.delaunay < 0 && flip_incident_edges()) {
+            if (report.delaunay < 0 && flips_.flip_incident_edges(star_, margins_)) {
                 continue;
             }
             if (!limits_are_fixed_) {
@@ -75,15 +73,16 @@ public:
                     return;
                 }
                 if (report.quality < limit.smooth && smooth(v, report.quality)) {
-                    continue_edges();
+                    (void)examine(star_, margins_);
+                    flips_.flip_edges_of_triangles(star_, margins_);
                     return;
                 }
             }
             if (!star_.closed) {
                 const BoundaryRemeshing done = keep_boundary(v, report, length);
                 if (done == BoundaryRemeshing::gone) {
-                    list_unexamined(star_.link[0]);
-                    list_unexamined(star_.link[star_.size]);
+                    list_unexamined(work_, star_.link[0]);
+                    list_unexamined(work_, star_.link[star_.size]);
                     return;
                 }
                 if (done == BoundaryRemeshing::split) {
@@ -98,10 +97,10 @@ public:
             if (!star_.one_phase && report.quality < needle_ && split_beside_short()) {
                 continue;
             }
-            list_if_poor(v, report.quality);
+            list_if_poor(work_, v, report.quality);
             return;
         }
-        list_unexamined(v);
+        list_unexamined(work_, v);
         is_unfinished_ = true;
     }
 
@@ -123,7 +122,7 @@ public:
                                               far * limits(star_.phase[0], sizes_.at(v)).longest;
             };
             for (const std::uint32_t v : std::span(active).subspan(visited)) {
-                list_unexamined(v);
+                list_unexamined(work_, v);
                 work_.resized.push_back(v);
             }
             std::remove_copy_if(active.begin(),
@@ -145,112 +144,6 @@ private:
             work_.deferred.star(v);
         }
         return gathered && star_.owned;
-    }
-
-    // --- stars listed for `watch_quality` -----------------------------------------------------
-    // Called after the last edit of a star in this pass. If one of its triangles changes later,
-    // another vertex of the triangle is listed. Not inlined: few stars are listed, and the code
-    // would crowd the loops that call it.
-    [[gnu::noinline]] void list_poor(std::uint32_t v) { work_.poor.push_back(v); }
-    void list_if_poor(std::uint32_t v, Real quality) {
-        if (static_cast<double>(quality) <= work_.watched_quality) [[unlikely]] {
-            list_poor(v);
-        }
-    }
-    void list_unexamined(std::uint32_t v) { list_if_poor(v, Real(0)); }
-    // After a flip, where `v` is at `here`, opposite to the edge that was there before.
-    [[gnu::noinline]] void list_flip(std::uint32_t v, const Point<Real>& here,
-                                     const Point<Real>& from, const Point<Real>& across,
-                                     const Point<Real>& to) {
-        list_if_poor(v, std::min(quality_squared<Real>(here, from, across),
-                                 quality_squared<Real>(here, across, to)));
-    }
-
-    // --- flips --------------------------------------------------------------------------------
-    bool flip_incident_edges() {
-        const std::uint64_t before = work_.log.counts.flips;
-        work_.candidates.clear();
-        for (std::uint32_t i = 0; i < star_.size; ++i) {
-            if (margins_[i] < 0) {
-                work_.candidates.push_back(prev(star_.corner[i]));
-            }
-        }
-        drain();
-        return work_.log.counts.flips != before;
-    }
-
-    // The edges of the star's triangles, after its centre moved: reuses the data of the star, and
-    // lists only the edges that fail.
-    void continue_edges() {
-        work_.candidates.clear();
-        (void)examine(star_, margins_);
-        const Point<Real> centre(star_.x0, star_.y0);
-        for (std::uint32_t i = 0; i < star_.size; ++i) {
-            const Corner across = complex_.twin(star_.corner[i]);
-            if (complex_.phase_at(across) == star_.phase[i] &&
-                !is_delaunay<Real>(centre, {star_.x[i], star_.y[i]}, apex(across),
-                                   {star_.x_next[i], star_.y_next[i]})) {
-                work_.candidates.push_back(star_.corner[i]);
-            }
-            if (margins_[i] < 0) {
-                work_.candidates.push_back(prev(star_.corner[i]));
-            }
-        }
-        drain();
-    }
-
-    /// The vertex at a corner, which another submesh may own and move.
-    Point<Real> apex(Corner corner) const {
-        const auto& record = complex_.vertices[complex_.vertex(corner)];
-        return {read_shared(record.x), read_shared(record.y)};
-    }
-
-    void drain() {
-        auto& candidates = work_.candidates;
-        std::size_t flips = 0;
-        const Region& region = work_.submesh.region;
-        while (!candidates.empty()) {
-            const Corner c = candidates.back();
-            candidates.pop_back();
-            // The triangle of c belongs to an owned star, or to a flip in one, so it is owned if it
-            // is alive.
-            const TriangleRecord& near = complex_.triangles[triangle_of(c)];
-            if (near.v[0] == no_id) {
-                continue;
-            }
-            const std::uint32_t i = index_of(c);
-            const Corner o = near.n[i];
-            if (complex_.phase_at(o) != near.phase) {
-                continue;
-            }
-            const auto at = [this](std::uint32_t v) { return complex_.position(Vertex{v}); };
-            const Point<Real> here = at(near.v[i]);
-            const Point<Real> from = at(near.v[next_index(i)]);
-            const Point<Real> across = apex(o);
-            const Point<Real> to = at(near.v[prev_index(i)]);
-            if (is_delaunay<Real>(here, from, across, to)) {
-                continue;
-            }
-            if (!owns(complex_, region, complex_.vertex(o)) ||
-                (waiting_.applies() && waits_around(work_, waiting_, c))) {
-                deferred(work_, complex_.vertex(next(c)));
-                continue;
-            }
-            // All four vertices are owned: the region need not be consulted.
-            if (flips >= max_flips_at_once ||
-                edge_flip_guard(complex_, Region{}, c) != Verdict::legal) {
-                continue;
-            }
-            rewire::flip(complex_, work_.log, c);
-            if (work_.watched_quality >= 0) {
-                list_flip(near.v[i], here, from, across, to);
-            }
-            ++flips;
-            candidates.push_back(c);
-            candidates.push_back(prev(c));
-            candidates.push_back(o);
-            candidates.push_back(prev(o));
-        }
     }
 
     // --- coarsening ---------------------------------------------------------------------------
@@ -287,17 +180,13 @@ private:
         if (collapse_star(work_, star_, i) != Verdict::legal) {
             return false;
         }
-        list_unexamined(target);
+        list_unexamined(work_, target);
         sizes_.look_again(star_);
         // Restore the Delaunay condition around the vertex that took over the star.
         Star<Real>& other = work_.other_star;
         if (gather(complex_, work_.submesh.region, target, other) && other.owned &&
             examine(other, margins_).delaunay < 0) {
-            work_.candidates.clear();
-            for (std::uint32_t j = 0; j < other.size; ++j) {
-                work_.candidates.push_back(prev(other.corner[j]));
-            }
-            drain();
+            flips_.flip_around(other);
         }
         return true;
     }
@@ -334,7 +223,7 @@ private:
                 work_.deferred.star(v);
             }
             if (result.verdict == Verdict::legal) {
-                list_unexamined(result.vertex.id);
+                list_unexamined(work_, result.vertex.id);
                 return BoundaryRemeshing::split;
             }
         }
@@ -376,7 +265,7 @@ private:
         rewire::move(complex_, work_.log, v, best_x, best_y, MoveReason::smoothing);
         star_.x0 = best_x;
         star_.y0 = best_y;
-        list_if_poor(v, best);
+        list_if_poor(work_, v, best);
         return true;
     }
 
@@ -428,7 +317,7 @@ private:
             work_.deferred.star(star_.vertex);
         }
         if (result.verdict == Verdict::legal) {
-            list_unexamined(result.vertex.id);
+            list_unexamined(work_, result.vertex.id);
         }
         return result.verdict == Verdict::legal;
     }
@@ -445,6 +334,7 @@ private:
     Limits limits_;                     // limits of the star that is being visited
     IncidentEdgeMargins<Real> margins_; // of the star that was examined last, by incident edge
     WaitingRule waiting_ = waiting_rule(work_);
+    DelaunayFlips<Real> flips_{work_, waiting_};
     bool is_unfinished_ = false; // a visit has used all its rounds
 };
 
