@@ -61,10 +61,10 @@ TEST(Shapes3, HaveTheirVolumes) {
 TEST(Shapes3, TooManyTetsAreRefusedBeforeTheyAreMade) {
     const std::vector<Shape> shapes{{ball({0.5, 0.5, 0.5}, 0.3), 1}};
     EXPECT_THROW((void)initial_complex({}, shapes, {.edge_length = 1.0 / 2000}), InputError);
-    const std::uint32_t tets = initial_complex({}, shapes, {.edge_length = 0.03}).tet_count();
+    const std::uint32_t tets = initial_complex({}, shapes, {.edge_length = 0.06}).tet_count();
     EXPECT_NO_THROW(
-        (void)initial_complex({}, shapes, {.edge_length = 0.03, .max_tets = 2.0 * tets}));
-    EXPECT_THROW((void)initial_complex({}, shapes, {.edge_length = 0.03, .max_tets = 0.5 * tets}),
+        (void)initial_complex({}, shapes, {.edge_length = 0.06, .max_tets = 2.0 * tets}));
+    EXPECT_THROW((void)initial_complex({}, shapes, {.edge_length = 0.06, .max_tets = 0.5 * tets}),
                  InputError);
 }
 
