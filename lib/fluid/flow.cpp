@@ -262,6 +262,7 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     fill_voids(options_.phases);
     MeshSnapshot mesh = snapshot_of(complex_);
     check_complex(mesh, options_);
+    (void)walls_of(mesh, options_, 0);
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
         FluidStep report;
@@ -358,13 +359,29 @@ void Fluid::transfer(Archive& archive) {
     }
 }
 
+Point<double> Fluid::force_on(const std::string& side) const {
+    const auto found = std::ranges::find(options_.sides, side, &FluidSide::name);
+    if (found == options_.sides.end()) {
+        std::string names;
+        for (const FluidSide& known : options_.sides) {
+            names += (names.empty() ? "" : ", ") + known.name;
+        }
+        throw InputError({.what = "no such side in FluidOptions::sides",
+                          .where = "Fluid::force_on",
+                          .value = "'" + side + "'",
+                          .allowed = names.empty() ? "none: no sides are given" : names});
+    }
+    const auto index = static_cast<std::size_t>(found - options_.sides.begin());
+    return index < one_->side_forces.size() ? one_->side_forces[index] : Point<double>(0, 0);
+}
+
 // The pressure is extrapolated in time, like the velocity.
 std::vector<double> Fluid::inflows_at(const FluidPast& past, double at) const {
     const Walls& walls = options_.walls;
     const bool is_open = std::ranges::any_of(
         std::array{walls.left, walls.right, walls.bottom, walls.top, walls.other},
         [](Wall wall) { return wall == Wall::open; });
-    if (!is_open && !options_.wall_at && !options_.wall_velocity) {
+    if (!is_open && !options_.wall_at && !options_.wall_velocity && options_.sides.empty()) {
         return {};
     }
     std::vector<double> inflows = inflows_of(*past.one, areas_);
@@ -387,6 +404,7 @@ std::unique_ptr<FluidField> Fluid::solution_in(MeshSnapshot mesh, double time, F
     const Eigen::VectorXd unknowns =
         solve(*system_, dissection, numbers, options_.threads, report.solved);
     auto field = std::make_unique<FluidField>(field_of(std::move(mesh), numbers, unknowns, time));
+    field->side_forces = side_forces(*system_, numbers, unknowns, *field, options_.sides.size());
     report.solve_s += timer.lap();
     return field;
 }

@@ -80,6 +80,10 @@ public:
     [[nodiscard]] double time() const { return one_->time; }
     /// Velocity and pressure. With inertia, the pressure is 0 until the first step.
     [[nodiscard]] const FluidField& field() const { return *one_; }
+    /// The force of the fluid on a side of `FluidOptions::sides`: drag and lift. It is zero before
+    /// the first step with inertia; where sides meet it counts to the first of them. Throws
+    /// InputError for an unknown name.
+    [[nodiscard]] Point<double> force_on(const std::string& side) const;
     /// The options of all steps.
     [[nodiscard]] const FluidOptions& options() const { return options_; }
 

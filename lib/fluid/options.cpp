@@ -60,6 +60,35 @@ void check_tensions(const FluidOptions& options) {
     }
 }
 
+void check_sides(const FluidOptions& options) {
+    const std::vector<FluidSide>& sides = options.sides;
+    for (auto side = sides.begin(); side != sides.end(); ++side) {
+        const auto refuse = [&](const char* what, const char* allowed) {
+            throw InputError({.what = what,
+                              .where = "FluidOptions::sides",
+                              .value = "side '" + side->name + "'",
+                              .allowed = allowed});
+        };
+        if (std::any_of(sides.begin(), side,
+                        [&](const FluidSide& other) { return other.name == side->name; })) {
+            refuse("a side is given twice", "each side once");
+        }
+        if (side->velocity && side->inflow) {
+            refuse("a side has both a velocity and an inflow", "one of them");
+        }
+        if (side->wall != Wall::no_slip && (side->velocity || side->inflow)) {
+            refuse("a velocity is given on a side that slips or is open",
+                   "Wall::no_slip with a velocity or an inflow");
+        }
+    }
+    if (!sides.empty() && options.wall_at) {
+        throw InputError({.what = "walls are given both by name and by a function",
+                          .where = "FluidOptions::sides",
+                          .value = "wall_at",
+                          .allowed = "either sides or wall_at"});
+    }
+}
+
 } // namespace
 
 void check_fluid(const FluidOptions& options) {
@@ -71,6 +100,7 @@ void check_fluid(const FluidOptions& options) {
                           .allowed = "a phase with fluid"});
     }
     check_tensions(options);
+    check_sides(options);
     require(std::isfinite(options.gravity.x()), "gravity, x", options.gravity.x(), "finite");
     require(std::isfinite(options.gravity.y()), "gravity, y", options.gravity.y(), "finite");
     require(options.implicitness >= 0.5 && options.implicitness <= 1, "implicitness",

@@ -6,6 +6,7 @@
 #include "dsc/dsc.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace dsc {
@@ -46,6 +47,26 @@ struct Walls {
     Wall other = Wall::no_slip;  ///< the boundary that is not on a side of the box
 };
 
+/// A straight edge of the domain with the name of its side.
+struct DomainEdge {
+    Point<double> from{0.0, 0.0}; ///< one end
+    Point<double> to{0.0, 0.0};   ///< the other end
+    /// Empty: by the side of the box around the domain, as in `Walls`.
+    std::string side = {};
+};
+
+/// The condition on a side of the domain.
+struct FluidSide {
+    /// That of a `DomainEdge`; or `left`, `right`, `bottom`, `top` or `other`, as in `Walls`.
+    std::string name;
+    Wall wall = Wall::no_slip; ///< its kind
+    /// If set, the velocity of a wall without slip, by position and time.
+    std::function<Point<double>(const Point<double>& place, double time)> velocity = {};
+    /// If set, the speed at which the fluid flows in at a right angle, by position and time;
+    /// negative where it flows out. Instead of `velocity`.
+    std::function<double(const Point<double>& place, double time)> inflow = {};
+};
+
 /// Which equations are solved.
 enum class FluidEquations : std::uint8_t {
     navier_stokes, ///< with inertia; the fluid rests at the start
@@ -63,6 +84,13 @@ struct FluidOptions {
     /// If set, the velocity of walls without slip, by position and time: of moving walls, or of the
     /// inflow. Unless a part of the boundary is open, inflow and outflow must be equal.
     std::function<Point<double>(const Point<double>& place, double time)> wall_velocity = {};
+    /// Conditions by name; they replace those of `walls` and `wall_velocity` on these sides. Where
+    /// two sides without slip meet, the velocity is zero if it is zero on one of them, and else
+    /// that of the first in this list.
+    std::vector<FluidSide> sides = {};
+    /// The edges of the domain with the names of their sides; empty: all are named by the box. An
+    /// edge of the mesh is on the side of the domain's edge that is nearest to its midpoint.
+    std::vector<DomainEdge> domain_edges = {};
     FluidEquations equations = FluidEquations::navier_stokes; ///< which are solved
     /// The tension acts at positions extrapolated by this fraction of the change of velocity in a
     /// step: from 0.5 on, tension does not limit the step. Larger values damp the shortest waves.
@@ -74,8 +102,9 @@ struct FluidOptions {
     std::uint32_t threads = 1; ///< 1 to 1024; does not change the results
 };
 
-/// Throws InputError if a value is out of range, a phase or a pair is named twice, or a tension
-/// names a phase without properties. O(phases^2).
+/// Throws InputError if a value is out of range; a phase, a pair or a side is named twice; a
+/// tension names a phase without properties; or the conditions of a side contradict each other.
+/// O(phases^2).
 void check_fluid(const FluidOptions& options);
 
 /// Density and viscosity of a phase. Throws InputError if it has none. O(phases).

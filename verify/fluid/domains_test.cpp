@@ -32,6 +32,14 @@ Polygon turned_rectangle(double length) {
     return {{turned(0, 0), turned(length, 0), turned(length, 1), turned(0, 1)}};
 }
 
+Polygon channel_with_cylinder() {
+    Points hole = circle(0.25, 24);
+    for (Point<double>& p : hole) {
+        p += Point<double>(0.7, 0.5);
+    }
+    return {{{0, 0}, {3, 0}, {3, 1}, {0, 1}}, {hole}};
+}
+
 Complex<double> mesh_of(const Polygon& domain, double h, const std::vector<Shape>& shapes = {}) {
     return initial_complex<double>(domain, shapes, {.edge_length = h});
 }
@@ -87,13 +95,97 @@ TEST_P(Rest, FluidsUnderGravityStayAtRest) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(InDomains, Rest,
-                         testing::Values(Case{"disc", {circle(1, 200)}},
-                                         Case{"ring", {circle(1, 200), {circle(0.4, 80)}}},
-                                         Case{"l",
-                                              {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}},
-                                         Case{"turned", turned_rectangle(2)}),
-                         [](const auto& each) { return each.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    InDomains, Rest,
+    testing::Values(Case{"disc", {circle(1, 200)}},
+                    Case{"ring", {circle(1, 200), {circle(0.4, 80)}}},
+                    Case{"l", {{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}},
+                    Case{"turned", turned_rectangle(2)}, Case{"cylinder", channel_with_cylinder()}),
+    [](const auto& each) { return each.param.name; });
+
+std::vector<DomainEdge> edges_of(const Polygon& domain, const std::vector<std::string>& names) {
+    std::vector<DomainEdge> edges;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        edges.push_back(
+            {domain.outline[i], domain.outline[(i + 1) % domain.outline.size()], names[i]});
+    }
+    return edges;
+}
+
+// The exact flow in a channel, with an inflow and outflows by name, drags along both walls.
+TEST(FluidDomains, SidesHaveConditionsAndForcesByName) {
+    const Polygon domain = turned_rectangle(3);
+    const Complex<double> complex = mesh_of(domain, 0.15);
+    FluidOptions options = one_fluid();
+    options.phases[0].viscosity = 0.5;
+    options.equations = FluidEquations::stokes;
+    options.domain_edges = edges_of(domain, {"floor", "outlet", "ceiling", "inlet"});
+    const auto speed = [](const Point<double>& place, double) {
+        const double y = turned_back(place).y();
+        return y * (1 - y);
+    };
+    options.sides = {{.name = "inlet", .inflow = speed},
+                     {.name = "outlet",
+                      .inflow = [&](const Point<double>& p, double t) { return -speed(p, t); }},
+                     {.name = "floor"},
+                     {.name = "ceiling"}};
+    const Fluid fluid(complex, options);
+    const FluidField& field = fluid.field();
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> wanted = speed(complex.position(v), 0) * turned(1, 0);
+        EXPECT_NEAR((field.velocity[v.id] - wanted).norm(), 0, 1e-11);
+    }
+    // The mean of the pressure is 0, so nothing presses on the walls as a whole. The corner nodes
+    // belong to the inlet and the outlet, which the pressure pushes outwards.
+    const Point<double> walls = fluid.force_on("floor") + fluid.force_on("ceiling");
+    const Point<double> ends = fluid.force_on("inlet") + fluid.force_on("outlet");
+    EXPECT_NEAR(turned_back(walls + ends).norm(), 0, 1e-10);
+    EXPECT_NEAR(turned_back(walls).x(), 2 * 0.5 * 3, 0.2);
+    EXPECT_NEAR(turned_back(fluid.force_on("inlet")).x(), -0.5 * 2 * 1.5, 0.2);
+}
+
+// The force on a body in a fluid at rest is the weight of the fluid that it displaces.
+TEST(FluidDomains, ABodyIsBuoyant) {
+    const Polygon domain = channel_with_cylinder();
+    Complex<double> complex = mesh_of(domain, 0.15);
+    Simulation<double> simulation(complex, {.edge_length = 0.15});
+    FluidOptions options = one_fluid();
+    options.phases[0].density = 3;
+    options.gravity = {0, -2};
+    options.sides = {{.name = "other"}};
+    Fluid fluid(complex, options);
+    EXPECT_EQ(fluid.force_on("other"), Point<double>(0, 0)) << "before the first step";
+    (void)fluid.step(simulation, 0.1);
+    double area = 3;
+    for (const Triangle t : triangles(complex)) {
+        area -= dsc::area(complex, t);
+    }
+    EXPECT_NEAR((fluid.force_on("other") - Point<double>(0, 3 * 2 * area)).norm(), 0, 1e-11);
+}
+
+// Where a moving side meets one at rest, the corner rests; where it meets one that slips, nothing
+// flows through that one.
+TEST(FluidDomains, CornersOfMovingSides) {
+    const Complex<double> complex =
+        initial_complex<double>({{0, 0}, {1, 1}}, {}, {.edge_length = 0.2});
+    FluidOptions options = one_fluid();
+    options.equations = FluidEquations::stokes;
+    options.sides = {
+        {.name = "top", .velocity = [](const auto&, double) { return Point<double>(1, 0); }},
+        {.name = "left", .wall = Wall::slip}};
+    const Fluid lid(complex, options);
+    options.sides[0] = {.name = "top", .inflow = [](const auto&, double) { return 1.0; }};
+    options.sides.push_back({.name = "bottom", .wall = Wall::open});
+    const Fluid inlet(complex, options);
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> p = complex.position(v);
+        if (p.y() == 1) {
+            const bool is_inside = p.x() > 0 && p.x() < 1;
+            EXPECT_EQ(lid.field().velocity[v.id], Point<double>(is_inside ? 1 : 0, 0));
+            EXPECT_EQ(inlet.field().velocity[v.id], Point<double>(0, p.x() < 1 ? -1 : 0));
+        }
+    }
+}
 
 // A parabolic inflow, and no stress at the outlet: exact with quadratic velocities.
 TEST(FluidDomains, PoiseuilleInATurnedChannel) {

@@ -50,6 +50,25 @@ TEST(FluidOptions, PropertiesAreFiniteAndOfOneSign) {
                    [](auto& o) { o.phases[0].is_void = o.phases[1].is_void = true; });
 }
 
+TEST(FluidOptions, SidesAreOnTheDomainAndHaveOneCondition) {
+    const auto inwards = [](const Point<double>&, double) { return 1.0; };
+    const auto still = [](const Point<double>&, double) { return Point<double>(0, 0); };
+    expect_refused("side 'inlet'", [](auto& o) { o.sides = {{.name = "inlet"}}; });
+    expect_refused("side 'left'", [](auto& o) { o.sides = {{.name = "left"}, {.name = "left"}}; });
+    expect_refused("both a velocity and an inflow", [&](auto& o) {
+        o.sides = {{.name = "left", .velocity = still, .inflow = inwards}};
+    });
+    expect_refused("slips or is open", [&](auto& o) {
+        o.sides = {{.name = "left", .wall = Wall::open, .inflow = inwards}};
+    });
+    expect_refused("either sides or wall_at", [](auto& o) {
+        o.sides = {{.name = "left"}};
+        o.wall_at = [](const Point<double>&) { return Wall::slip; };
+    });
+    expect_refused("more flows into the domain than out of it",
+                   [&](auto& o) { o.sides = {{.name = "left", .inflow = inwards}}; });
+}
+
 TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {
     expect_refused("phase 1", [](auto& o) {
         o.phases.pop_back();

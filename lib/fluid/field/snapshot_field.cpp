@@ -177,7 +177,7 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
 void archive(Archive& archive, FluidField& field) {
     MeshSnapshot& mesh = field.mesh;
     archive(mesh.domain.low, mesh.domain.high, mesh.vertex_bound, mesh.nodes, mesh.triangle_at,
-            field.time, field.velocity);
+            field.time, field.velocity, field.side_forces);
     archive.records(mesh.triangles);
     archive.records(mesh.interface);
     archive.records(field.pressure);

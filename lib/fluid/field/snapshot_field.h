@@ -70,6 +70,9 @@ struct FluidField {
     /// meet. Its mean over the domain is 0; with a void, the pressure in the void is 0. Force per
     /// length.
     std::vector<std::array<double, 3>> pressure = {};
+    /// By side of the options: the force of the fluid on it. Without slip it has the order of the
+    /// energy norm squared, because it is the rest of the equations of the nodes there (weak form).
+    std::vector<Point<double>> side_forces = {};
 };
 
 /// Throws FileError if an index is out of range. O(n).

@@ -137,4 +137,44 @@ FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
     return field;
 }
 
+std::vector<Point<double>> side_forces(const FluidSystem& system, const FluidNumbering& numbers,
+                                       const Eigen::VectorXd& unknowns, const FluidField& field,
+                                       std::size_t sides) {
+    std::vector<Point<double>> forces(sides, Point<double>(0, 0));
+    if (sides == 0) {
+        return forces;
+    }
+    std::vector<const WallNode*> wall_at(field.mesh.nodes.size(), nullptr);
+    for (const WallNode& wall : numbers.walls.nodes) {
+        wall_at[wall.node] = wall.side == no_id ? nullptr : &wall;
+    }
+    for (std::size_t t = 0; t < system.elements.size(); ++t) {
+        const FluidElement& element = system.elements[t];
+        const SnapshotTriangle& triangle = field.mesh.triangles[t];
+        if (std::ranges::none_of(triangle.nodes, [&](auto i) { return wall_at[i] != nullptr; })) {
+            continue;
+        }
+        Eigen::Matrix<double, 15, 1> values;
+        for (Eigen::Index i = 0; const int unknown : element.unknowns) {
+            values[i++] = unknown == no_unknown ? 0 : unknowns[unknown];
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            values[static_cast<Eigen::Index>(12 + i)] = field.pressure[t][i];
+        }
+        for (Eigen::Index i = 0; const std::uint32_t node : triangle.nodes) {
+            if (const WallNode* wall = wall_at[node]; wall != nullptr) {
+                for (const Eigen::Index k : {0, 1}) {
+                    double rest = element.forces[2 * i + k];
+                    for (Eigen::Index j = 0; j < 15; ++j) {
+                        rest -= element.matrix(2 * i + k, j) * values[j];
+                    }
+                    forces[wall->side] += rest * (k == 0 ? wall->first : turned_left(wall->first));
+                }
+            }
+            ++i;
+        }
+    }
+    return forces;
+}
+
 } // namespace dsc

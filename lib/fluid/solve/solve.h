@@ -17,4 +17,11 @@ namespace dsc {
 [[nodiscard]] FluidField field_of(MeshSnapshot mesh, const FluidNumbering& numbers,
                                   const Eigen::VectorXd& unknowns, double time);
 
+/// The force on each of the sides: the opposite of what is missing in the equations of its nodes.
+/// A node where sides meet counts to the first of them. O(n).
+[[nodiscard]] std::vector<Point<double>> side_forces(const FluidSystem& system,
+                                                     const FluidNumbering& numbers,
+                                                     const Eigen::VectorXd& unknowns,
+                                                     const FluidField& field, std::size_t sides);
+
 } // namespace dsc

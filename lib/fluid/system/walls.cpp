@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fluid/system/walls.h"
 
+#include "dsc/base/error.h"
+#include "dsc/geometry/points.h"
 #include "dsc/geometry/side.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -16,54 +19,122 @@ struct WallEdge {
     std::uint32_t to;
     std::uint32_t middle;
     Wall wall;
+    std::uint32_t side = no_id; // in `FluidOptions::sides`; no_id: none of them
 };
 
-Wall wall_at(const Point<double>& from, const Point<double>& to, const Point<double>& middle,
-             const Rectangle& box, const FluidOptions& options) {
-    if (options.wall_at) {
-        return options.wall_at(middle);
-    }
+// A side of the box around the domain.
+struct BoxSide {
+    const char* name;
+    Wall wall;
+};
+
+BoxSide box_side(const Point<double>& from, const Point<double>& to, const Rectangle& box,
+                 const Walls& walls) {
     const auto is_on = [&](int axis, double place) {
         return from[axis] == place && to[axis] == place;
     };
-    return is_on(0, box.low.x())    ? options.walls.left
-           : is_on(0, box.high.x()) ? options.walls.right
-           : is_on(1, box.low.y())  ? options.walls.bottom
-           : is_on(1, box.high.y()) ? options.walls.top
-                                    : options.walls.other;
+    return is_on(0, box.low.x())    ? BoxSide{"left", walls.left}
+           : is_on(0, box.high.x()) ? BoxSide{"right", walls.right}
+           : is_on(1, box.low.y())  ? BoxSide{"bottom", walls.bottom}
+           : is_on(1, box.high.y()) ? BoxSide{"top", walls.top}
+                                    : BoxSide{"other", walls.other};
+}
+
+// The name of the domain's edge nearest to a place; empty if it has none.
+std::string nearest_name(const std::vector<DomainEdge>& edges, const Point<double>& place) {
+    const auto nearest = std::ranges::min_element(edges, {}, [&](const DomainEdge& edge) {
+        return squared_distance<double>(place, edge.from, edge.to);
+    });
+    return nearest == edges.end() ? std::string() : nearest->side;
 }
 
 std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& options) {
     std::vector<WallEdge> edges;
     for (const SnapshotTriangle& triangle : mesh.triangles) {
         for (std::uint32_t i = 0; i < 3; ++i) {
-            if (triangle.across[i] == no_id) {
-                const std::uint32_t from = triangle.nodes[next_index(i)];
-                const std::uint32_t to = triangle.nodes[prev_index(i)];
-                const std::uint32_t middle = triangle.nodes[3 + i];
-                edges.push_back({from, to, middle,
-                                 wall_at(mesh.nodes[from], mesh.nodes[to], mesh.nodes[middle],
-                                         mesh.domain, options)});
+            if (triangle.across[i] != no_id) {
+                continue;
+            }
+            const std::uint32_t from = triangle.nodes[next_index(i)];
+            const std::uint32_t to = triangle.nodes[prev_index(i)];
+            const std::uint32_t middle = triangle.nodes[3 + i];
+            const auto [box_name, wall] =
+                box_side(mesh.nodes[from], mesh.nodes[to], mesh.domain, options.walls);
+            WallEdge& edge = edges.emplace_back(WallEdge{from, to, middle, wall});
+            if (options.wall_at) {
+                edge.wall = options.wall_at(mesh.nodes[middle]);
+            } else if (!options.sides.empty()) {
+                const std::string given = nearest_name(options.domain_edges, mesh.nodes[middle]);
+                const auto side = std::ranges::find(options.sides, given.empty() ? box_name : given,
+                                                    &FluidSide::name);
+                if (side != options.sides.end()) {
+                    edge.wall = side->wall;
+                    edge.side = static_cast<std::uint32_t>(side - options.sides.begin());
+                } else if (!given.empty()) {
+                    edge.wall = Wall::no_slip;
+                }
             }
         }
     }
     return edges;
 }
 
-// The conditions of the edges at a node.
+// The conditions of the edges at a node; of the edges before and after it in the arrays. A midpoint
+// has only an edge after it.
 struct AtNode {
-    bool sticks = false;
-    std::array<std::optional<Point<double>>, 2> slips; // directions of the edges there
+    std::array<const WallEdge*, 2> sticks{};           // edges without slip
+    std::array<std::optional<Point<double>>, 2> slips; // directions of the edges that slip
     std::array<std::uint32_t, 2> ends{no_id, no_id};   // the nodes before and after this one
+    std::uint32_t side = no_id;
 };
 
 void add(AtNode& at, const WallEdge& edge, const MeshSnapshot& mesh, bool is_after) {
+    const std::size_t place = is_after ? 1 : 0;
+    at.side = std::min(at.side, edge.side);
     if (edge.wall == Wall::no_slip) {
-        at.sticks = true;
+        at.sticks[place] = &edge;
     } else if (edge.wall == Wall::slip) {
-        at.slips[is_after ? 1 : 0] = mesh.nodes[edge.to] - mesh.nodes[edge.from];
-        at.ends[is_after ? 1 : 0] = is_after ? edge.to : edge.from;
+        at.slips[place] = mesh.nodes[edge.to] - mesh.nodes[edge.from];
+        at.ends[place] = is_after ? edge.to : edge.from;
     }
+}
+
+// The velocity of a wall without slip. `way` is the direction of the wall, with the domain on its
+// left.
+Point<double> wall_velocity(std::uint32_t side, const Point<double>& place,
+                            const Point<double>& way, const FluidOptions& options, double time) {
+    if (side != no_id && options.sides[side].inflow) {
+        return options.sides[side].inflow(place, time) * turned_left(way.normalized());
+    }
+    if (side != no_id && options.sides[side].velocity) {
+        return options.sides[side].velocity(place, time);
+    }
+    return side == no_id && options.wall_velocity ? options.wall_velocity(place, time)
+                                                  : Point<double>(0, 0);
+}
+
+Point<double> sticking(std::uint32_t node, const AtNode& at, const MeshSnapshot& mesh,
+                       const FluidOptions& options, double time) {
+    const auto [before, after] = at.sticks;
+    const auto way = [&](const WallEdge* edge) {
+        return edge == nullptr ? Point<double>(0, 0)
+                               : Point<double>(mesh.nodes[edge->to] - mesh.nodes[edge->from]);
+    };
+    const auto velocity = [&](std::uint32_t side, const Point<double>& along) {
+        return wall_velocity(side, mesh.nodes[node], along, options, time);
+    };
+    if (before == nullptr || after == nullptr || before->side == after->side) {
+        const WallEdge* any = after == nullptr ? before : after;
+        const Point<double> moving = velocity(any->side, way(before) + way(after));
+        const auto& slips = at.slips[after == nullptr ? 1 : 0]; // of the other edge, if it slips
+        return slips && any->side != no_id
+                   ? Point<double>(moving.dot(*slips) / slips->squaredNorm() * *slips)
+                   : moving;
+    }
+    const WallEdge* first = before->side < after->side ? before : after;
+    const Point<double> one = velocity(first->side, way(first));
+    const WallEdge* second = first == before ? after : before;
+    return velocity(second->side, way(second)).isZero(0) ? Point<double>(0, 0) : one;
 }
 
 // The total flow through the two edges at a node is zero if the normal at the node is their mean,
@@ -85,12 +156,52 @@ WallNode slipping(std::uint32_t node, const AtNode& at, const MeshSnapshot& mesh
     return {.node = node, .first = way.normalized(), .held = {false, true}};
 }
 
+void check_sides_exist(const std::vector<WallEdge>& edges, const std::vector<FluidSide>& sides) {
+    for (std::uint32_t k = 0; k < sides.size(); ++k) {
+        if (std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
+            throw InputError({.what = "no edge of the domain is on a side that has a condition",
+                              .where = "FluidOptions::sides",
+                              .value = "side '" + sides[k].name + "'",
+                              .allowed =
+                                  "names in FluidOptions::domain_edges; left, right, bottom, "
+                                  "top and other for the rest of the boundary"});
+        }
+    }
+}
+
+// Without an open side, what flows in has to flow out, up to rounding.
+void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
+                   const MeshSnapshot& mesh) {
+    constexpr double rounding = 1e-9; // a larger rest makes the solution fail
+    std::vector<Point<double>> velocity(mesh.nodes.size(), Point<double>(0, 0));
+    for (const WallNode& node : walls.nodes) {
+        velocity[node.node] = node.velocity;
+    }
+    double net = 0;
+    double all = 0;
+    for (const WallEdge& edge : edges) {
+        const Point<double> inwards = turned_left(mesh.nodes[edge.to] - mesh.nodes[edge.from]);
+        const double flow =
+            inwards.dot(velocity[edge.from] + 4 * velocity[edge.middle] + velocity[edge.to]) / 6;
+        net += flow;
+        all += inwards.norm() * velocity[edge.middle].norm();
+    }
+    if (std::abs(net) > rounding * all) {
+        throw InputError({.what = "more flows into the domain than out of it",
+                          .where = "FluidOptions",
+                          .value = to_text(net) + " more, of area per time",
+                          .allowed = "equal inflow and outflow, or an open side"});
+    }
+}
+
 } // namespace
 
 FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time) {
     FluidWalls walls;
     std::map<std::uint32_t, AtNode> at_nodes;
-    for (const WallEdge& edge : edges_of(mesh, options)) {
+    const std::vector<WallEdge> edges = edges_of(mesh, options);
+    check_sides_exist(edges, options.sides);
+    for (const WallEdge& edge : edges) {
         if (edge.wall == Wall::open) {
             walls.has_open = true;
             continue;
@@ -100,21 +211,24 @@ FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, doubl
         add(at_nodes[edge.middle], edge, mesh, true);
     }
     for (const auto& [node, at] : at_nodes) {
-        if (!at.sticks) {
+        if (at.sticks[0] == nullptr && at.sticks[1] == nullptr) {
             walls.nodes.push_back(slipping(node, at, mesh));
-            continue;
+        } else {
+            walls.nodes.push_back({.node = node,
+                                   .held = {true, true},
+                                   .velocity = sticking(node, at, mesh, options, time)});
         }
-        WallNode& held = walls.nodes.emplace_back(WallNode{.node = node, .held = {true, true}});
-        if (options.wall_velocity) {
-            held.velocity = options.wall_velocity(mesh.nodes[node], time);
-            if (!held.velocity.allFinite()) {
-                throw InputError(
-                    {.what = "the velocity of a wall is not finite",
-                     .where = "FluidOptions::wall_velocity at " + to_text(mesh.nodes[node]),
-                     .value = to_text(held.velocity),
-                     .allowed = "finite velocities"});
-            }
+        WallNode& held = walls.nodes.back();
+        held.side = at.side;
+        if (!held.velocity.allFinite()) {
+            throw InputError({.what = "the velocity of a wall is not finite",
+                              .where = "FluidOptions, at " + to_text(mesh.nodes[node]),
+                              .value = to_text(held.velocity),
+                              .allowed = "finite velocities"});
         }
+    }
+    if (!walls.has_open) {
+        check_balance(edges, walls, mesh);
     }
     return walls;
 }

@@ -20,6 +20,7 @@ struct WallNode {
     Point<double> first{1, 0};    ///< a unit vector
     std::array<bool, 2> held{};   ///< by component
     Point<double> velocity{0, 0}; ///< of a node of which both components are held
+    std::uint32_t side = no_id;   ///< its first one in `FluidOptions::sides`; no_id: in none
 };
 
 /// All of them, by ascending number of the node.
@@ -28,8 +29,9 @@ struct FluidWalls {
     bool has_open = false; ///< a part of the boundary is open
 };
 
-/// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite.
-/// O(n).
+/// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
+/// no edge is on a side that is named, or more flows in than out of a domain that is closed. O(n),
+/// if the edges of the domain are as many as those of the mesh's boundary.
 [[nodiscard]] FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options,
                                   double time);
 
