@@ -39,9 +39,10 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     meet_fronts(work);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
+    const std::size_t touched_by_films = work.touched.size();
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
-    split_touched(work);
+    split_touched(work, touched_by_films);
     return give_back(work);
 }
 
