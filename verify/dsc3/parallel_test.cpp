@@ -87,19 +87,65 @@ TEST(Parallel3, AVelocityAtOnceIsCalledForTheWholeInterfaceByThisThread) {
     }
 }
 
+// Shells around the ball's centre, which no tree of planes makes.
+const Partition shells = [](const Point& p) {
+    return static_cast<std::uint32_t>((p - Point(0.35, 0.35, 0.35)).norm() / 0.1);
+};
+
 // Another division gives another mesh, which is as good.
-TEST(Parallel3, AnyNumberOfSubmeshesWillDo) {
+TEST(Parallel3, AnyDivisionWillDo) {
     const int steps = dsc::test::are_asked_for("few") ? 2 : 5;
-    for (const std::uint32_t submeshes : {1U, 2U, 8U, 64U}) {
-        Tracked run({.threads = 2, .submeshes = submeshes});
-        const double volume = phase_volume(run.complex, 1);
+    for (const Parallel& way :
+         {Parallel{.submeshes = 1}, Parallel{.submeshes = 2}, Parallel{.submeshes = 8},
+          Parallel{.submeshes = 64}, Parallel{.division = Division::fixed},
+          Parallel{.submeshes = 8, .division = Division::active},
+          Parallel{.division = Division::blocks}, Parallel{.partition = shells}}) {
+        Parallel on_three = way;
+        on_three.threads = 3;
+        Tracked one(way);
+        Tracked three(on_three);
+        const double volume = phase_volume(one.complex, 1);
+        StepReport sum;
         for (int k = 0; k < steps; ++k) {
-            EXPECT_EQ(run.step(k).unreached, 0U);
-            ASSERT_TRUE(validate(run.complex).ok()) << submeshes << " submeshes, step " << k;
+            const StepReport report = one.step(k);
+            sum.treated += report.treated;
+            sum.treated_together += report.treated_together;
+            EXPECT_EQ(report.unreached, 0U);
+            ASSERT_TRUE(validate(one.complex).ok()) << "step " << k;
+            three.step(k);
+            ASSERT_EQ(three.bytes(), one.bytes()) << "step " << k;
         }
-        EXPECT_NEAR(phase_volume(run.complex, 1) / volume, 1, 0.01);
-        EXPECT_GT(mesh_quality(run.complex).min_dihedral, 2);
+        EXPECT_GT(sum.treated_together, 0.5 * double(sum.treated));
+        EXPECT_NEAR(phase_volume(one.complex, 1) / volume, 1, 0.01);
+        EXPECT_GT(mesh_quality(one.complex).min_dihedral, 2);
     }
+}
+
+// The sections of a step, with a time for each task.
+TEST(Parallel3, AProfileHasTheTimesOfAllTasks) {
+    Tracked plain({.threads = 2});
+    plain.step(0);
+    EXPECT_TRUE(plain.simulation.profile().sections.empty());
+    Tracked run({.threads = 2, .profile = true});
+    for (int k = 0; k < 2; ++k) { // each step begins anew
+        run.step(k);
+        const StepProfile& profile = run.simulation.profile();
+        ASSERT_GT(profile.sections.size(), 20U);
+        ASSERT_EQ(profile.sections.front().first_task, 0U);
+        for (std::size_t i = 0; i < profile.sections.size(); ++i) {
+            const bool is_last = i + 1 == profile.sections.size();
+            const std::size_t end =
+                is_last ? profile.tasks.size() : profile.sections[i + 1].first_task;
+            double sum = 0;
+            for (std::size_t task = profile.sections[i].first_task; task < end; ++task) {
+                EXPECT_GT(profile.tasks[task], 0);
+                EXPECT_LE(profile.tasks[task], profile.sections[i].wall);
+                sum += profile.tasks[task];
+            }
+            EXPECT_LE(sum, 2 * profile.sections[i].wall);
+        }
+    }
+    EXPECT_EQ(mesh_hash(run.complex), (plain.step(1), mesh_hash(plain.complex)));
 }
 
 TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
@@ -117,8 +163,10 @@ TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
         second.step(k);
     }
     EXPECT_EQ(first.bytes(), second.bytes());
-    for (const std::uint32_t submeshes : {2U, 4U}) {
-        Tracked other({.submeshes = submeshes});
+    for (const Parallel& way :
+         {Parallel{.submeshes = 2}, Parallel{.submeshes = 4},
+          Parallel{.division = Division::active}, Parallel{.partition = shells}}) {
+        Tracked other(way);
         const std::string before = other.bytes();
         dsc::Archive archive(first.bytes(), "saved");
         EXPECT_THROW(other.simulation.archive(archive), FileError);

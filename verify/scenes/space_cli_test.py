@@ -117,6 +117,9 @@ class OwnScenesInSpace(CommandLine):
         self.assertGreater(one["treated_together"], one["treated"] / 3)
         self.assertEqual((one["strategy"], one["threads"], three["threads"]), ("cells", 1, 3))
         self.assertEqual(self.result(scene)["strategy"], "sequential")
+        slabs = self.result(scene, "--strategy", "active", "--threads", "2")
+        self.assertEqual((slabs["strategy"], slabs["unreached"]), ("active", 0))
+        self.assertNotEqual(slabs["mesh_hash"], one["mesh_hash"])
 
     def test_phases_that_meet(self):
         scene = self.write("halves.toml", EGG[:EGG.index("[exact]")].replace("[flow]", """[[shape]]
@@ -209,7 +212,7 @@ divides = [1, 3, 2, 4]
             scene = self.write("bad.toml", RING.replace(old, new, 1))
             self.expect_refusal("run", scene, words=words)
         scene = self.write("ring.toml", RING)
-        self.expect_refusal("run", scene, "--strategy", "blocks", words=["three dimensions", "cells"])
+        self.expect_refusal("run", scene, "--strategy", "counting", words=["three dimensions", "cells"])
         self.expect_refusal("run", scene, "--threads", "2", "--submeshes", "3", words=["power of two"])
         self.expect_refusal("run", scene, "--checkpoint", scene, words=["ring.toml"])
 

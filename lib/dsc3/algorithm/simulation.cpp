@@ -49,10 +49,8 @@ Simulation::Simulation(Complex& complex, const Options& options, const Parallel&
 
 Simulation::Simulation(Complex& complex, const Options& options, const Parallel* parallel)
     : complex_(complex), claim_(complex.in_use), options_(checked(options)),
-      team_(parallel == nullptr ? Team() : Team(checked(*parallel).threads)), state_{complex_,
-                                                                                     options_,
-                                                                                     team_},
-      version_(complex.version) {
+      team_(parallel == nullptr ? Team() : Team(checked(*parallel).threads, parallel->profile)),
+      state_{complex_, options_, team_}, version_(complex.version) {
     if (parallel != nullptr) {
         submeshes_ = std::make_unique<Submeshes>(complex_, options_.edge_length, *parallel, team_);
         state_.submeshes = submeshes_.get();
@@ -75,6 +73,7 @@ StepReport Simulation::advance(const Velocity& velocity, bool in_chunks, Real ti
                           .value = "set_field(true)",
                           .allowed = "attributes whose values belong to vertices"});
     }
+    team_.start_profile();
     if (version_ != complex_.version) { // the application has edited the complex
         state_.grow();
         state_.find_interface();
@@ -234,10 +233,10 @@ void Simulation::transfer(dsc::Archive& archive) {
         archive.raw(late.target.data(), sizeof late.target);
         archive.expect(late.vertex < complex_.vertex_bound(), "names a vertex that does not exist");
     }
-    const std::uint32_t mine = submeshes_ == nullptr ? no_id : submeshes_->wanted();
-    std::uint32_t submeshes = mine;
-    archive(submeshes);
-    archive.expect(submeshes == mine, "was written with another number of submeshes");
+    const std::uint32_t mine = submeshes_ == nullptr ? no_id : submeshes_->kind();
+    std::uint32_t kind = mine;
+    archive(kind);
+    archive.expect(kind == mine, "was written with other submeshes");
     if (submeshes_ != nullptr) {
         submeshes_->archive(archive);
     }

@@ -63,6 +63,9 @@ public:
     /// and this is the report of the sub-steps before: `reached` is the time of the complex.
     [[nodiscard]] const StepReport& report() const { return report_; }
 
+    /// The times of the last step; empty unless `Parallel::profile` asks for them.
+    [[nodiscard]] const StepProfile& profile() const { return team_.profile(); }
+
     /// Writes the whole state, the complex included, or reads it back into a simulation with the
     /// same options and submeshes, on any number of threads; the following steps are then bitwise
     /// identical. O(n log n). Throws FileError if the bytes hold no valid complex, or one with

@@ -19,8 +19,8 @@ Real CutTree::distance(const Point& p) const {
 }
 
 Label Ownership::label_at(const Point& p) const {
-    Label label = 0;
-    for (std::uint32_t colour = 0; colour < colour_count; ++colour) {
+    Label label = partition ? partition(p) % submeshes : trees[0].cell(p);
+    for (std::uint32_t colour = 1; colour < colour_count; ++colour) {
         label |= trees[colour].cell(p) << (8 * colour);
     }
     return label;

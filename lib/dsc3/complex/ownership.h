@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dsc3 {
@@ -52,10 +53,16 @@ struct CutTree {
     [[nodiscard]] Real distance(const Point& p) const;
 };
 
+/// An application's own division: the number of the submesh at a place. Called for every vertex, by
+/// several threads at once; must return the same number for the same place, and must not throw.
+using Partition = std::function<std::uint32_t(const Point& place)>;
+
 /// The submeshes of all vertices in all colours.
 struct Ownership {
     std::array<CutTree, colour_count> trees;
-    std::vector<Label> labels; ///< by vertex
+    Partition partition;         ///< of the first colour, in place of its tree, if not empty
+    std::uint32_t submeshes = 0; ///< of the partition
+    std::vector<Label> labels;   ///< by vertex
 
     /// The label of a new vertex at this place, without outer bits.
     [[nodiscard]] Label label_at(const Point& p) const;

@@ -39,22 +39,16 @@ Extent extent_of(std::span<const Point> places) {
 
 class Cutter {
 public:
-    Cutter(CutTree& tree, Real edge_length, Real price)
-        : tree_(tree), edge_length_(edge_length), price_(price) {}
+    Cutter(CutTree& tree, Division division, Real edge_length, Real price)
+        : tree_(tree), division_(division), edge_length_(edge_length), price_(price) {}
 
-    void cut(std::span<Point> places, std::uint32_t node, std::uint32_t level) {
-        if (level == tree_.levels) {
-            return;
-        }
-        const auto [axis, place] = best(places, level);
-        tree_.axes[node] = axis;
-        tree_.cuts[node] = place;
-        const auto middle = std::stable_partition(
-            places.begin(), places.end(),
-            [axis = axis, place = place](const Point& p) { return p[axis] < place; });
-        const auto lower = static_cast<std::size_t>(middle - places.begin());
-        cut(places.first(lower), 2 * node, level + 1);
-        cut(places.subspan(lower), 2 * node + 1, level + 1);
+    void cut(std::span<Point> places) {
+        const Extent extent = extent_of(places);
+        const Point lengths = extent.high - extent.low;
+        axes_ = {0, 1, 2};
+        std::stable_sort(axes_.begin(), axes_.end(),
+                         [&](std::uint8_t a, std::uint8_t b) { return lengths[a] > lengths[b]; });
+        cut(places, 1, 0, {extent.low[axes_[0]], extent.high[axes_[0]]});
     }
 
 private:
@@ -62,6 +56,52 @@ private:
         std::uint8_t axis = 0;
         Real place = std::numeric_limits<Real>::infinity();
     };
+    struct Range {
+        Real low;
+        Real high;
+    };
+
+    // `range`: of the node, if all cuts are across the longest axis.
+    void cut(std::span<Point> places, std::uint32_t node, std::uint32_t level, Range range) {
+        if (level == tree_.levels) {
+            return;
+        }
+        const auto [axis, place] = plane_of(places, level, range);
+        tree_.axes[node] = axis;
+        tree_.cuts[node] = place;
+        const auto middle = std::stable_partition(
+            places.begin(), places.end(),
+            [axis = axis, place = place](const Point& p) { return p[axis] < place; });
+        const auto lower = static_cast<std::size_t>(middle - places.begin());
+        cut(places.first(lower), 2 * node, level + 1, {range.low, place});
+        cut(places.subspan(lower), 2 * node + 1, level + 1, {place, range.high});
+    }
+
+    Plane plane_of(std::span<const Point> places, std::uint32_t level, Range range) {
+        switch (division_) {
+        case Division::fixed: return {axes_[0], (range.low + range.high) / 2};
+        case Division::active: return {axes_[0], median(places, axes_[0])};
+        case Division::blocks: {
+            const std::uint8_t axis = axes_[2 * level < tree_.levels ? 0 : 1];
+            return {axis, median(places, axis)};
+        }
+        case Division::cells: break;
+        }
+        return best(places, level);
+    }
+
+    Real median(std::span<const Point> places, std::uint8_t axis) {
+        if (places.size() < min_sample) {
+            return std::numeric_limits<Real>::infinity();
+        }
+        coordinates_.clear();
+        for (const Point& p : places) {
+            coordinates_.push_back(p[axis]);
+        }
+        const auto middle = coordinates_.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+        std::nth_element(coordinates_.begin(), middle, coordinates_.end());
+        return *middle;
+    }
 
     Plane best(std::span<const Point> places, std::uint32_t level) {
         Plane plane;
@@ -104,35 +144,58 @@ private:
     }
 
     CutTree& tree_;
+    Division division_;
     Real edge_length_;
     Real price_;
+    std::array<std::uint8_t, 3> axes_{}; ///< the longest extent first
     std::vector<Real> coordinates_;
 };
 
+// Whether a place of another submesh is within the footprint.
+bool is_near_border(const Point& p, const Parallel& parallel, Real edge_length) {
+    const std::uint32_t submeshes = partition_size(parallel);
+    const std::uint32_t own = parallel.partition(p) % submeshes;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const Real way : {-footprint * edge_length, footprint * edge_length}) {
+            if (parallel.partition(p + way * Point::Unit(axis)) % submeshes != own) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
-std::array<CutTree, colour_count> cut_colours(std::vector<Point>& places, std::uint32_t submeshes,
+std::array<CutTree, colour_count> cut_colours(std::vector<Point>& places, const Parallel& parallel,
                                               Real edge_length) {
     std::array<CutTree, colour_count> trees;
-    const Extent extent = extent_of(places);
+    std::uint32_t submeshes = parallel.submeshes;
     if (submeshes == 0) {
+        const Extent extent = extent_of(places);
         const bool is_large = (extent.high - extent.low).maxCoeff() >= large_extent * edge_length;
         submeshes = is_large ? default_limit : default_limit / 2;
     }
     std::vector<Point> sample;
     std::vector<Point> near;
     for (CutTree& tree : trees) {
+        const bool is_first = &tree == &trees[0];
+        const bool is_partition = is_first && parallel.partition;
         tree.levels = static_cast<std::uint32_t>(std::bit_width(submeshes) - 1);
         const std::size_t size = std::min(places.size(), sample_size);
         sample.clear();
         for (std::size_t i = 0; i < size; ++i) {
             sample.push_back(places[i * places.size() / size]);
         }
-        Cutter(tree, edge_length, &tree == &trees[0] ? balance_price : later_balance_price)
-            .cut(sample, 1, 0);
+        if (!is_partition) {
+            Cutter(tree, is_first ? parallel.division : Division::cells, edge_length,
+                   is_first ? balance_price : later_balance_price)
+                .cut(sample);
+        }
         near.clear();
         for (const Point& p : places) {
-            if (tree.distance(p) < footprint * edge_length) {
+            if (is_partition ? is_near_border(p, parallel, edge_length)
+                             : tree.distance(p) < footprint * edge_length) {
                 near.push_back(p);
             }
         }

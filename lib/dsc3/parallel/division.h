@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dsc3/complex/ownership.h"
+#include "dsc3/parallel/parallel.h"
 
 #include <array>
 #include <cstdint>
@@ -13,11 +14,17 @@ namespace dsc3 {
 /// The largest number of submeshes that is chosen by the extent.
 inline constexpr std::uint32_t default_limit = 8;
 
-/// Cuts space into up to `submeshes` cells in each colour; 0: by the extent of the places. Each cut
-/// runs where it costs least: few places near it, and shares nearly equal. The first colour divides
-/// all places, each later one those that are near the cuts of all colours before. Deterministic.
-/// O(places + log^2 of the sample); reorders the places.
+/// The number of submeshes of an application's own partition.
+[[nodiscard]] inline std::uint32_t partition_size(const Parallel& parallel) {
+    return parallel.submeshes == 0 ? default_limit : parallel.submeshes;
+}
+
+/// Cuts space into up to `parallel.submeshes` parts in each colour; 0: by the extent of the places.
+/// The first colour divides all places, by the division or the partition; each later one cuts cells
+/// of the places near the cuts of all colours before. Each cut of cells runs where it costs least:
+/// few places near it, and shares nearly equal. Deterministic. O(places + log^2 of the sample);
+/// reorders the places.
 [[nodiscard]] std::array<CutTree, colour_count>
-cut_colours(std::vector<Point>& places, std::uint32_t submeshes, Real edge_length);
+cut_colours(std::vector<Point>& places, const Parallel& parallel, Real edge_length);
 
 } // namespace dsc3

@@ -18,13 +18,20 @@ constexpr std::size_t min_vertices = 16;
 } // namespace
 
 Submeshes::Submeshes(Complex& complex, Real edge_length, const Parallel& parallel, Team& team)
-    : complex_(complex), team_(team), edge_length_(edge_length), wanted_(parallel.submeshes),
-      workers_(wanted_ == 0 ? default_limit : wanted_) {
+    : complex_(complex), team_(team), edge_length_(edge_length), parallel_(parallel),
+      workers_(partition_size(parallel)) {
+    ownership_.partition = parallel.partition;
+    ownership_.submeshes = partition_size(parallel);
     for (std::uint32_t i = 0; i < workers_.size(); ++i) {
         workers_[i].submesh.index = i;
         workers_[i].work.rewiring.ownership = &ownership_;
         workers_[i].work.rewiring.submesh = &workers_[i].submesh;
     }
+}
+
+std::uint32_t Submeshes::kind() const {
+    const auto division = static_cast<std::uint32_t>(parallel_.division);
+    return parallel_.submeshes + 256 * (parallel_.partition ? 255 : division);
 }
 
 void Submeshes::gather_places() {
@@ -50,7 +57,7 @@ void Submeshes::divide(const std::vector<std::uint32_t>& interface) {
             places_.push_back(complex_.at(v));
         }
     }
-    ownership_.trees = cut_colours(places_, wanted_, edge_length_);
+    ownership_.trees = cut_colours(places_, parallel_, edge_length_);
     places_.clear();
     label();
 }

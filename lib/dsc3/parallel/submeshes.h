@@ -56,8 +56,8 @@ public:
     [[nodiscard]] Ownership& ownership() { return ownership_; }
     /// Adds counts, changed tets and new interface vertices of all submeshes to those of `work`.
     void hand_over(Workspace& work);
-    /// The number of submeshes by the option; 0: by the extent of the interface.
-    [[nodiscard]] std::uint32_t wanted() const { return wanted_; }
+    /// A number for the division and the number of submeshes, by the options.
+    [[nodiscard]] std::uint32_t kind() const;
     /// The next division depends on where the work was: writes it or reads it back.
     void archive(dsc::Archive& archive);
     [[nodiscard]] std::vector<SubmeshWorker>& workers() { return workers_; }
@@ -71,7 +71,7 @@ private:
     Complex& complex_;
     Team& team_;
     Real edge_length_;
-    std::uint32_t wanted_; ///< submeshes, by the option
+    Parallel parallel_;
     Ownership ownership_;
     std::vector<SubmeshWorker> workers_;
     std::vector<std::size_t> loads_;    ///< items by submesh

@@ -28,12 +28,6 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
                                   "--at, --checkpoint, --resume and --stop-after"});
         }
     }
-    if (origin.strategy != Strategy::sequential && origin.strategy != Strategy::cells) {
-        throw InputError({.what = "no such strategy in three dimensions",
-                          .where = "run " + scene.name,
-                          .value = "--strategy " + std::string(to_string(origin.strategy)),
-                          .allowed = "sequential, cells"});
-    }
     check_files(arguments, origin, file.files);
     const Parameters parameters = with_settings(scene, origin.settings);
     space::RunOptions options;
@@ -42,10 +36,7 @@ int run_in_space(const std::string& program, const space::SceneFile& file,
     options.checkpoint = checkpoint_plan(arguments, origin);
     options.resume = checkpoint ? &*checkpoint : nullptr;
     options.stop_after = arguments.run.stop_after;
-    if (origin.strategy == Strategy::cells) {
-        options.parallel = dsc3::Parallel{.threads = origin.submeshing.threads,
-                                          .submeshes = origin.submeshing.submeshes};
-    }
+    options.parallel = space::parallel_of(origin.strategy, origin.submeshing);
     options.interrupted = &interrupted;
     options.progress = isatty(STDERR_FILENO) != 0;
     heed_signals();

@@ -77,6 +77,11 @@ void archive_quality(Archive& archive, dsc3::MeshQuality& quality) {
     archive(quality.worst, quality.min_dihedral, quality.max_dihedral, quality.min_face_angle);
 }
 
+std::string strategy_of(const RunResult& result) {
+    return result.parallel ? std::string(name_in(dsc3::division_names, result.parallel->division))
+                           : "sequential";
+}
+
 class Run {
 public:
     Run(const Scene& scene, const Parameters& parameters, const RunOptions& options)
@@ -158,6 +163,9 @@ private:
         result_.step_us.push_back(1e6 * wall);
         result_.wall_s += wall;
         result_.cpu_s += watch.cpu();
+        if (options_.after_step) {
+            options_.after_step(*simulation_, wall);
+        }
         ++result_.steps;
         add(result_.sum, step);
         result_.tet_steps += complex_.tet_count();
@@ -188,7 +196,7 @@ private:
     void archive(Archive& archive) {
         std::string identity = result_.scene + ", " + std::to_string(setup_.steps) + " steps of " +
                                to_text(setup_.dt) + ", h = " + to_text(result_.parameters.h) +
-                               (result_.parallel ? ", cells" : "");
+                               (result_.parallel ? ", " + strategy_of(result_) : "");
         const std::string mine = identity;
         std::uint64_t hash_first = hash_first_;
         archive(identity, hash_first);
@@ -255,6 +263,23 @@ nlohmann::ordered_json number_or_null(const std::optional<Number>& value) {
 }
 
 } // namespace
+
+std::optional<dsc3::Parallel> parallel_of(Strategy strategy, const Submeshing& submeshing) {
+    if (strategy == Strategy::sequential) {
+        return std::nullopt;
+    }
+    const auto division = value_in(dsc3::division_names, to_string(strategy));
+    if (!division) {
+        throw InputError({.what = "no such strategy in three dimensions",
+                          .where = "--strategy",
+                          .value = to_string(strategy),
+                          .allowed = "sequential, " + names_in(dsc3::division_names)});
+    }
+    return dsc3::Parallel{.threads = submeshing.threads,
+                          .submeshes = submeshing.submeshes,
+                          .division = *division,
+                          .profile = submeshing.profile};
+}
 
 RunResult run_scene(const Scene& scene, const Parameters& parameters, const RunOptions& options) {
     return Run(scene, parameters, options).run();
@@ -349,7 +374,7 @@ std::string to_json(const RunResult& r) {
         {"peak_memory_mb", peak_memory_mb()},
         {"threads", r.parallel ? r.parallel->threads : 1},
         {"threads_used", r.parallel ? r.parallel->threads : 1},
-        {"strategy", r.parallel ? "cells" : "sequential"},
+        {"strategy", strategy_of(r)},
         {"mesh_hash", hash},
         {"commit", commit()},
         {"machine", machine()},

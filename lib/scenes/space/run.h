@@ -5,10 +5,12 @@
 #include "dsc3/dsc3.h"
 #include "scenes/output/frames.h"
 #include "scenes/run/checkpoint.h"
+#include "scenes/run/strategy.h"
 #include "scenes/space/scene.h"
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -67,9 +69,16 @@ struct RunOptions {
     const Checkpoint* resume = nullptr;       ///< to resume from, bitwise identically
     int stop_after = 0;                       ///< steps; 0: no such limit
     std::optional<dsc3::Parallel> parallel{}; ///< none: sequential
+    /// Called after each step with its wall time in seconds.
+    std::function<void(const dsc3::Simulation&, double)> after_step{};
     const std::atomic<bool>* interrupted = nullptr;
     bool progress = false; ///< whether to show a progress line
 };
+
+/// The options of a strategy; none for the sequential one. Throws InputError for a strategy that is
+/// not available in three dimensions.
+[[nodiscard]] std::optional<dsc3::Parallel> parallel_of(Strategy strategy,
+                                                        const Submeshing& submeshing);
 
 /// Runs all steps, or those until it is interrupted. Throws InputError for an integrator that is
 /// not available, for shapes that `initial_complex` refuses, and for frames as `Frames` does;
