@@ -30,8 +30,9 @@ suite=
 only=
 # Left out by --quick, because they take minutes and add nothing to smaller ones: the fine swirl, four circles at 2.8
 # million triangles, at this size all strategies that do not follow the interface, copies of large meshes in more than
-# one scene, and the cost of options.
-large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000|enright.*:32'
+# one scene, the cost of options, and in three dimensions all but Enright's test in cells at h = 1/32.
+large='^option/|380000|four_circles.*(2800000|copy.*280000/)|(fixed|counting|active|blocks)/.*2800000|enright/edges:32'
+large+='|translation-3d_run|enright_run/.*(h:0.015625|submeshes|fixed|active|blocks)'
 # The file gets every repetition; the terminal shows medians and spread.
 bench_options=(--benchmark_enable_random_interleaving=true --benchmark_display_aggregates_only=true
     --benchmark_repetitions=3 --benchmark_min_time=0.05)

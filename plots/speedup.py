@@ -81,9 +81,10 @@ def others(published):
 
 def gather_runs(bench):
     """A Family for each family of whole runs that has parallel rows."""
-    found = series.speedups(series.whole_runs(bench))
-    return [Family(name, [p for p in found if p.row.family == name], [])
-            for name in series.families([p.row for p in found])]
+    measured = series.whole_runs(bench)
+    found, models = series.speedups(measured), series.speedups(series.modelled(bench, "_run"), measured)
+    return [Family(name, *([p for p in points if p.row.family == name] for points in (found, models)))
+            for name in series.families([p.row for p in found + models])]
 
 
 def gather(bench, published):

@@ -79,6 +79,7 @@ void register_all(const Suite& suite) {
     for (const Row& row : suite.rows) {
         row.measure == Measure::run ? register_run(row) : register_step(row);
     }
+    std::ranges::for_each(suite.space_rows, register_space_run);
     std::ranges::for_each(suite.comparisons, register_comparison);
     for (const std::string& name : suite.also) {
         (name == "operation" ? register_operations
@@ -96,8 +97,8 @@ int run(int argc, char** argv) {
     scenes::check_outputs(results, {{"--suite", file}});
     add_context();
     register_all(suite);
-    if (suite.has_results && suite.rows.empty() && suite.comparisons.empty() &&
-        suite.also.empty()) {
+    if (suite.has_results && suite.rows.empty() && suite.space_rows.empty() &&
+        suite.comparisons.empty() && suite.also.empty()) {
         std::fputs("dsc_bench: this suite has no timed rows; bench/Snakefile makes its results.\n",
                    stderr);
         return 0;

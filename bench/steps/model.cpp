@@ -36,10 +36,9 @@ void add(ModelAccount& account, const SubStepProfile& one) {
     }
 }
 
-// The depth of a tree of threads that wake each other.
-double levels(std::uint32_t workers) { return std::ceil(std::log2(workers)); }
-
 } // namespace
+
+double levels(std::uint32_t workers) { return std::ceil(std::log2(workers)); }
 
 double makespan(const Section& section, std::uint32_t workers, Assignment assignment) {
     const TaskGraph& tasks = section.tasks;

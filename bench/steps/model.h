@@ -30,6 +30,9 @@ struct Section {
 /// workers. O(tasks^3 * workers) at worst.
 [[nodiscard]] double makespan(const Section& section, std::uint32_t workers, Assignment assignment);
 
+/// The depth of a tree of threads that wake each other.
+[[nodiscard]] double levels(std::uint32_t workers);
+
 /// One sub-step, with its measured times.
 struct ModelSubStep {
     double serial = 0; ///< seconds

@@ -2,6 +2,7 @@
 #include "rows.h"
 
 #include "context.h"
+#include "space_rows.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/executors.h"
@@ -133,7 +134,7 @@ void add_comparison(const SuiteCase& c, const std::string& name, const scenes::S
                           .without = without,
                           .with = without,
                           .same_mesh = c.reader->of("same_mesh").flag_or(false, "same_mesh")};
-    read_settings(*c.reader, "option", scene, comparison.with);
+    read_settings(*c.reader, "option", scene.keys, comparison.with);
     suite.comparisons.push_back(std::move(comparison));
 }
 
@@ -171,10 +172,17 @@ void add_rows(const SuiteCase& c, Suite& suite) {
     const CaseReader& reader = *c.reader;
     suite.has_results = suite.has_results || c.measure == Measure::result;
     for (std::size_t i = 0; i < c.scenes.size(); ++i) {
+        if (const auto in_space = find_in_space(reader, c.scenes[i])) {
+            add_rows_in_space(c, *in_space, c.names[i], suite);
+            continue;
+        }
+        if (reader.has("vertex_error")) {
+            reader.refuse("vertex_error", "only for scenes in three dimensions", "area_error");
+        }
         const scenes::Scene scene = scenes::read_scene(reader, c.scenes[i]).scene;
         const std::string name = c.names[i].empty() ? scene.name : c.names[i];
         Workload workload{.scene = scene, .parameters = scene.defaults};
-        read_settings(reader, "set", scene, workload.parameters);
+        read_settings(reader, "set", scene.keys, workload.parameters);
         if (c.measure != Measure::option) {
             if (reader.has("dt_over_h")) {
                 workload.dt_over_h = reader.of("dt_over_h").number("dt_over_h", {1e-6, 1e3});

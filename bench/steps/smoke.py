@@ -37,6 +37,12 @@ RUN = {**ITERATION, **dict.fromkeys((
     "us_per_step", "construction_us", "first_step_us", "us_per_vertex_step", "interface_vertices",
     "triangles", "min_quality", "area_error_rel", "load", "oversubscribed", "threads_used",
     "utilisation", "serial_share"), "number")}
+SPACE_RUN = {**ITERATION, **dict.fromkeys((
+    "us_per_step", "cpu_us_per_step", "first_step_us", "interface_vertices", "tets", "min_dihedral_deg",
+    "vertex_error_h", "load", "oversubscribed", "threads_used", "utilisation", "serial_share"), "number")}
+SPACE_MODEL = {**ITERATION, **dict.fromkeys((
+    "us_per_step", "modelled", "serial_share", "busy_share", "fork_join_us", "section_start_us", "us_serial",
+    "us_tasks", "us_starts", "load"), "number")}
 OPERATION = {**ITERATION, "items_per_second": "number", "batch": "number", "label": "text"}
 FLOW = {**ITERATION, "items_per_second": "number", "ratio": "number", "label": "text"}
 OPTION = {**ITERATION, **dict.fromkeys((
@@ -179,6 +185,14 @@ strategies = ["sequential", "cells", "active"]
 threads = [1, 2]
 area_error = 0.2
 """
+# In three dimensions.
+IN_SPACE = """[[case]]
+scene = "translation-3d"
+h = 0.1
+set = { steps = 3 }
+strategies = ["sequential", "cells", "blocks"]
+rows = [{ measure = "run", threads = [1, 2] }, { measure = "model", strategies = "cells", threads = 8, submeshes = "threads" }]
+"""
 BAD_SUITES = {
     "": ("an empty suite",),
     "[[case]\n": ("suite.toml:1",),
@@ -207,6 +221,11 @@ BAD_SUITES = {
     '[[case]]\nscene = "grow-shrink"\nmeasure = "step"\n': ("suite.toml:2", "growth", "velocity"),
     '[[case]]\nscene = ["swirl", "swirl"]\n': ("two rows have the same name", "swirl_run/"),
     '[[case]]\nscene = "swirl"\nrows = [{ threads = 0 }]\n': ("suite.toml:3", "got 0"),
+    '[[case]]\nscene = "enright"\nmeasure = "step"\n': ("suite.toml:3", "three dimensions", "run, model"),
+    '[[case]]\nscene = "enright"\ntriangles = 9000\n': ("suite.toml:3", "triangles", "three dimensions", "submeshes"),
+    '[[case]]\nscene = "enright"\nstrategies = "counting"\n': ("suite.toml:3", "counting", "blocks"),
+    '[[case]]\nscene = "enright"\nsubmeshes = 3\n': ("suite.toml:3", "got 3", "power of two"),
+    '[[case]]\nscene = "swirl"\nvertex_error = 1\n': ("suite.toml:3", "area_error"),
     'also = ["operations"]\n': ("suite.toml:1: also", "operation, kernel"),
 }
 
@@ -238,6 +257,28 @@ class OwnSuite(unittest.TestCase):
         self.assertEqual([row["name"] for row in rows], expected)
         for row in rows:
             self.assertEqual(masked(row), RUN, row["name"])
+
+    def test_a_scene_in_three_dimensions_is_measured_and_modelled(self):
+        result = os.path.join(self.folder, "result.json")
+        done = run(f"--suite={self.write('suite.toml', IN_SPACE)}", f"--benchmark_out={result}")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        with open(result, encoding="utf-8") as stream:
+            rows = json.load(stream)["benchmarks"]
+        ways = ("sequential/h:0.1", "cells/h:0.1/threads:1", "cells/h:0.1/threads:2", "blocks/h:0.1/threads:1",
+                "blocks/h:0.1/threads:2", "cells/h:0.1/submeshes:8/threads:8/modelled:1")
+        self.assertEqual([row["name"] for row in rows],
+                         [f"translation-3d_run/strategy:{way}/iterations:1/manual_time" for way in ways])
+        for row in rows:
+            self.assertEqual(masked(row), SPACE_MODEL if "modelled" in row else SPACE_RUN, row["name"])
+            self.assertTrue(0 < row.get("utilisation", 1) <= 1 + ROUNDING, row)
+        model = rows[-1]
+        parallel = model["us_per_step"] - model["us_serial"] - model["us_starts"]
+        self.assertLessEqual(parallel, model["us_tasks"] * (1 + ROUNDING))
+        self.assertGreaterEqual(parallel * (1 + ROUNDING), model["us_tasks"] / 8)
+        far = self.write("far.toml", IN_SPACE.replace("h = 0.1", "h = 0.1\nvertex_error = 0"))
+        done = run("--suite", far)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("6 measurements were refused", done.stderr)
 
     def test_whole_runs_move_in_any_way(self):
         suite = self.write("suite.toml", """[[case]]

@@ -129,7 +129,7 @@ std::vector<std::string> keys_of(Measure measure) {
     } else if (measure == Measure::result) {
         add({"strategies", "threads", "submeshes", "dt_over_h", "seeds"});
     } else {
-        add({"strategies", "threads", "submeshes", "dt_over_h", "area_error"});
+        add({"strategies", "threads", "submeshes", "dt_over_h", "area_error", "vertex_error"});
         add({measure == Measure::run ? "between_us" : "at"});
     }
     return keys;
@@ -186,6 +186,7 @@ void check_names(const Suite& suite, const std::filesystem::path& path) {
         }
     };
     std::ranges::for_each(suite.rows, check, &Row::name);
+    std::ranges::for_each(suite.space_rows, check, &SpaceRow::name);
     std::ranges::for_each(suite.comparisons, check, &Comparison::name);
 }
 
@@ -225,8 +226,8 @@ Suite read_suite(const std::filesystem::path& path) {
             }
         }
     }
-    if (suite.rows.empty() && suite.comparisons.empty() && suite.also.empty() &&
-        !suite.has_results) {
+    if (suite.rows.empty() && suite.space_rows.empty() && suite.comparisons.empty() &&
+        suite.also.empty() && !suite.has_results) {
         throw InputError({.what = "an empty suite",
                           .where = path.string(),
                           .value = "no [[case]]",

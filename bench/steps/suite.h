@@ -28,6 +28,12 @@
 //     option = { topology = "change" }      # option: compared with the scene without it
 //     same_mesh = true            # option: it must not change the mesh
 //     seeds = [1, 2, 3]           # result: one run for each value of `seed`
+//     vertex_error = 0.1          # in three dimensions, instead of area_error: a larger root mean
+//                                 # square, in edge lengths, of the distances from the exact shape
+//
+// Scenes in three dimensions have measure = "run" or "model", of whole runs, and the keys name, h,
+// set, strategies, threads, submeshes and vertex_error.
+//
 //     rows = [{ measure = "step" }]         # each is a separate case with its keys and those above
 //
 // The same file may have keys of dsc_verify, such as `limits` (verify/gate/suite.h). A single value
@@ -35,6 +41,7 @@
 #pragma once
 
 #include "scenes/run/run.h"
+#include "scenes/space/scene.h"
 #include "starts.h"
 
 #include <filesystem>
@@ -75,8 +82,21 @@ struct Comparison {
     bool same_mesh = false; ///< whether the option must not change the result
 };
 
+/// A row of whole runs in three dimensions.
+struct SpaceRow {
+    std::string name;
+    std::shared_ptr<const scenes::space::Scene> scene;
+    scenes::Parameters parameters; ///< with the size and all settings
+    double vertex_error = 0.1;     ///< the largest that is timed
+    scenes::Strategy strategy = scenes::Strategy::sequential;
+    std::uint32_t submeshes = 0; ///< 0: by the extent of the interface
+    std::uint32_t threads = 1;
+    bool is_modelled = false;
+};
+
 struct Suite {
     std::vector<Row> rows;
+    std::vector<SpaceRow> space_rows;
     std::vector<Comparison> comparisons;
     std::vector<std::string> also; ///< of `also_names`
     bool has_results = false;      ///< whether there is a case of Measure::result

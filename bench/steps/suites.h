@@ -13,6 +13,9 @@ void register_run(const Row& row);
 /// `NAME_step/...`: a time step of a scene (thesis, section 9.7), measured or modelled.
 void register_step(const Row& row);
 
+/// `NAME_run/...` of a scene in three dimensions: whole runs, measured or modelled.
+void register_space_run(const SpaceRow& row);
+
 /// `option/NAME/SCENE`: the cost of an option in a step, compared with the scene without it.
 void register_comparison(const Comparison& comparison);
 

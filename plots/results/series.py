@@ -17,7 +17,8 @@ STRUCTURAL = {"strategy", "triangles", "threads", "submeshes", "iterations", "re
 SERIAL = ("reference", "sequential")
 FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "four circles",
                  "scaling_run": "scaling of a circle", "four_circles_run": "four circles",
-                 "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes"}
+                 "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes",
+                 "enright_run": "flow of Enright's test", "translation-3d_run": "translation of a ball"}
 SAID = {"between_us": "{} µs between steps"}  # of other work
 MUCH = 0.25  # of all cores: measurements under a larger load are marked
 GRANULARITY = "granularity_step"  # has its own picture
@@ -108,10 +109,10 @@ def rows(bench):
     return _labelled([r for r in _all(bench) if not r.modelled])
 
 
-def modelled(bench):
-    """The modelled step rows, with the fastest number of submeshes for each n."""
+def modelled(bench, ending="_step"):
+    """The modelled rows of steps or of whole runs, with the fastest number of submeshes for each n."""
     fastest = {}
-    for row in _all(bench):
+    for row in _all(bench, ending):
         key = (row.family, row.triangles, row.strategy, row.other, row.threads)
         if row.modelled and (key not in fastest or row.median < fastest[key].median):
             fastest[key] = row
@@ -119,8 +120,8 @@ def modelled(bench):
 
 
 def whole_runs(bench):
-    """All rows of whole runs (FAMILY_run/...), which are never mixed with those of steps."""
-    return _labelled(_all(bench, "_run"))
+    """All measured rows of whole runs (FAMILY_run/...), which are never mixed with those of steps."""
+    return _labelled([r for r in _all(bench, "_run") if not r.modelled])
 
 
 def between(row):

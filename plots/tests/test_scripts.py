@@ -20,9 +20,9 @@ import history
 import over_time
 import space
 import speedup
-from results import load
+from results import load, series
 from tests.samples import (BUBBLE, DIVIDED, PLOTS, RESULT, SERIES, VTU, Case, bench, hard_cases,
-                           own_suite, parallel_bench, precision_run, precision_runs, scene, verify)
+                           own_suite, parallel_bench, precision_run, precision_runs, row, scene, verify)
 
 MAGIC = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
 FOREIGN = {
@@ -101,6 +101,17 @@ class Scripts(Case):
         self.assertEqual([family.name for family in found], ["mine_run"])
         self.assertEqual({p.row.size for p in found[0].points}, {"h = 0.02", "h = 0.01"})
         self.assertEqual(len(found[0].points), 4)
+
+    def test_whole_runs_are_modelled_too(self):
+        suite = own_suite()
+        suite["benchmarks"] += row("mine_run/strategy:cells/h:0.01/between_us:0/threads:8/modelled:1/iterations:1/"
+                                   "manual_time", [100], us_per_step=100, modelled=1)
+        results = load.read_bench([self.write("mine.json", suite)])
+        (family,) = speedup.gather_runs(results)
+        self.assertEqual(len(family.points), 4)
+        self.assertEqual([(p.n, p.s) for p in family.models], [(8, 4)])
+        self.assertIn("hollow points are modelled and not measured", speedup.plain(family))
+        self.assertEqual({r.modelled for r in series.whole_runs(results)}, {False})
 
     def test_steps_of_the_history_are_found_between_their_commits(self):
         def report(commit, drift, angle):

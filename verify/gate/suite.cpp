@@ -162,7 +162,7 @@ void read_rows(const CaseReader& reader, const Common& common, std::optional<std
         const std::string name =
             reader.has("name") ? reader.of("name").text("name") : c.file.scene.name;
         c.parameters = c.file.scene.defaults;
-        scenes::read_settings(reader, "set", c.file.scene, c.parameters);
+        scenes::read_settings(reader, "set", c.file.scene.keys, c.parameters);
         if (!c.space) {
             read_strategies(reader, c);
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The model of more threads than the machine has, with given times: one second for each task.
 #include "steps/model.h"
+#include "steps/space_model.h"
 
 #include "dsc/parallel/submesh_view.h"
 #include "dsc/passes/algorithm.h"
@@ -94,6 +95,28 @@ TEST(Model, TwoWorkersTakeAtLeastHalfOfIt) {
     EXPECT_EQ(more.starts, 0.25 * sections);
     EXPECT_EQ(more.seconds, two.seconds + serial + 0.25 * sections);
     EXPECT_EQ(more.serial_share, serial / (serial + profiled.tasks));
+}
+
+// Two steps with 2 s of serial work, sections of 5 and of 1 tasks, measured with two threads.
+TEST(Model, InSpaceTasksAreTakenInTheirOrder) {
+    bench::SpaceProfile run;
+    const dsc3::StepProfile step{{{0, 8.5}, {5, 4}}, {1, 2, 3, 4, 5, 4}};
+    run.add(step, 14.5);
+    run.add(step, 14.5);
+    EXPECT_EQ(run.steps, 2);
+    EXPECT_EQ(run.tasks(), 38);
+    EXPECT_EQ(run.serial(), 4);
+    EXPECT_EQ(bench::makespan({1, 2, 3, 4, 5}, 2), 9); // 1 3 5, and 2 4
+    EXPECT_EQ(bench::makespan({1, 2, 3, 4, 5}, 8), 5);
+    EXPECT_EQ(bench::measured_start(run, 2), 0); // 8.5 is less than 9
+    const bench::ModelTimes one = bench::model(run, 1, 0.25);
+    EXPECT_EQ(one.seconds, 42);
+    EXPECT_EQ(one.busy_share, 1);
+    EXPECT_EQ(one.starts, 0);
+    const bench::ModelTimes four = bench::model(run, 4, 0.25); // a start for two levels of threads
+    EXPECT_EQ(four.starts, 1);
+    EXPECT_EQ(four.seconds, 4 + 2 * (6 + 4) + 1);
+    EXPECT_EQ(four.serial_share, 4.0 / 42);
 }
 
 } // namespace

@@ -25,7 +25,7 @@ std::vector<std::string> keys_of_verify() { return {"limits", "defaults", "every
 std::vector<std::string> case_keys_of_verify() { return {"limits", "starts"}; }
 
 std::vector<std::string> case_keys_of_bench() {
-    return {"measure", "submeshes", "area_error", "between_us",
+    return {"measure", "submeshes", "area_error", "vertex_error", "between_us",
             "at",      "option",    "same_mesh",  "seeds"};
 }
 
@@ -91,8 +91,8 @@ SceneFile read_scene(const CaseReader& reader, const std::string& name) {
     });
 }
 
-void read_settings(const CaseReader& reader, const std::string& key, const Scene& scene,
-                   Parameters& parameters) {
+void read_settings(const CaseReader& reader, const std::string& key,
+                   const std::vector<std::string>& allowed, Parameters& parameters) {
     if (!reader.has(key)) {
         return;
     }
@@ -102,8 +102,7 @@ void read_settings(const CaseReader& reader, const std::string& key, const Scene
             table.refuse(name, "the edge length cannot be set here",
                          "h = [...] in the [[case]] itself");
         }
-        at_key(table, name,
-               [&] { set_parameter(parameters, scene.keys, name, table.setting(name)); });
+        at_key(table, name, [&] { set_parameter(parameters, allowed, name, table.setting(name)); });
     }
 }
 

@@ -66,8 +66,9 @@ struct CaseSize {
 /// A scene of the catalogue, or of a file whose path is relative to the suite.
 [[nodiscard]] SceneFile read_scene(const CaseReader& reader, const std::string& name);
 
-/// Sets the parameters that the table under `key` names, if there is one.
-void read_settings(const CaseReader& reader, const std::string& key, const Scene& scene,
-                   Parameters& parameters);
+/// Sets the parameters that the table under `key` names, if there is one; `allowed`: the scene's
+/// keys.
+void read_settings(const CaseReader& reader, const std::string& key,
+                   const std::vector<std::string>& allowed, Parameters& parameters);
 
 } // namespace dsc::scenes
