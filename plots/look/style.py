@@ -18,6 +18,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 from matplotlib.lines import Line2D  # noqa: E402
+from matplotlib.ticker import LogFormatter, LogFormatterSciNotation, LogLocator, NullLocator  # noqa: E402
 from PIL import Image  # noqa: E402  (matplotlib needs it as well)
 
 INK = "#22303A"
@@ -228,8 +229,27 @@ def _columns(labels, width):
     return 1
 
 
+def tick_between_powers(axis):
+    """Gives a logarithmic axis that shows fewer than two powers of its base ticks between them: 2 and 5 times
+    a power, each digit or, in the narrowest view, each tenth. Ticks that a plot has placed itself stay."""
+    if axis.get_scale() != "log" or not isinstance(axis.get_major_locator(), LogLocator):
+        return
+    low, high = sorted(axis.get_view_interval())
+    for parts in ((1, 2, 5), range(1, 10), [tenths / 10 for tenths in range(10, 100)]):
+        if sum(low <= place <= high for place in axis.get_majorticklocs()) > 1:
+            return
+        axis.set_major_locator(LogLocator(subs=parts, numticks=100))
+        axis.set_minor_locator(NullLocator())
+        if isinstance(axis.get_major_formatter(), LogFormatter):  # which leaves out some of 2 and 5 by itself
+            axis.set_major_formatter(LogFormatterSciNotation(minor_thresholds=(math.inf, math.inf)))
+
+
 def finish(fig, title, caption, handles=()):
-    """Title and legend in a band above the axes, caption in a band below; sizes in inches."""
+    """Title and legend in a band above the axes, caption in a band below; sizes in inches. Each logarithmic axis
+    gets ticks."""
+    for axes in fig.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            tick_between_powers(axis)
     width, height = fig.get_size_inches()
     left = 0.12 / width
     # Captions that are too long for the figure are wrapped.

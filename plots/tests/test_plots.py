@@ -228,6 +228,18 @@ class Plots(Case):
         self.write("frames/swirl_sequential.events.jsonl", line % ("merge", 0.25) + '{"kind": ')
         self.assert_refused(["--frames", folder], "line 2", "truncated")
 
+    def test_a_logarithmic_axis_has_several_ticks(self):
+        for low, high in ((1200, 40000), (1200, 9000), (3100, 4900), (4100, 4900), (1, 1e4)):
+            figure, (panels,) = style.figure(3, 3)
+            panels[0].set(xscale="log", xlim=(low, high))
+            style.finish(figure, "title", "caption")
+            axis = panels[0].xaxis
+            shown = [place for place in axis.get_majorticklocs() if low <= place <= high]
+            labels = axis.get_major_formatter().format_ticks(shown)
+            self.assertGreater(len(labels), 1, (low, high))
+            self.assertTrue(all(labels), labels)
+            style.plt.close(figure)
+
     def test_numbers_for_people(self):
         self.assertEqual([style.digits(v) for v in (0, 0.01234, 5.2e-5, 123456.0, None)],
                          ["0", "0.0123", "5.20e-5", "123,456", "–"])
