@@ -25,7 +25,7 @@ struct SceneParts {
     std::string where;
     std::optional<Scene> base{};
     std::optional<Rectangle> domain{};
-    std::vector<OutlineSource> domain_outline{}; ///< in place of the rectangle
+    std::vector<DomainOutline> domain_outline{}; ///< in place of the rectangle
     bool is_clamped = false;
     std::vector<ShapeSource> shapes{};
     std::vector<CurveSource> curves{};
@@ -73,11 +73,28 @@ void check_size(const SceneParts& parts, double h, const Setup& setup) {
             "at most 100000 edges along a side, and 20000000 triangles");
 }
 
-void set_domain_outline(const std::vector<OutlineSource>& sources, double h, Setup& setup) {
+// Sets the polygon; the result are its edges with the names of their sides.
+std::vector<DomainEdge> set_domain_outline(const std::vector<DomainOutline>& outlines, double h,
+                                           Setup& setup) {
     std::vector<Outline> rings;
-    for (const OutlineSource& source : sources) {
+    std::vector<DomainEdge> edges;
+    for (const auto& [source, sides, where] : outlines) {
+        std::size_t k = 0;
         for (const Piece& ring : source.pieces(h)) {
             rings.push_back(ring.points);
+            for (std::size_t i = 0; i < ring.points.size(); ++i, ++k) {
+                edges.push_back({ring.points[i], ring.points[(i + 1) % ring.points.size()],
+                                 sides.empty()       ? std::string()
+                                 : sides.size() == 1 ? sides[0]
+                                                     : sides[std::min(k, sides.size() - 1)]});
+            }
+        }
+        if (sides.size() > 1 && sides.size() != k) {
+            throw InputError(
+                {.what = "not one name for each edge of an outline of the domain",
+                 .where = where,
+                 .value = std::to_string(sides.size()) + " names, " + std::to_string(k) + " edges",
+                 .allowed = "one name for all edges, or one for each"});
         }
     }
     setup.domain = {rings.at(0).at(0), rings.at(0).at(0)};
@@ -87,6 +104,20 @@ void set_domain_outline(const std::vector<OutlineSource>& sources, double h, Set
         }
     }
     setup.polygon = Polygon{rings.at(0), {rings.begin() + 1, rings.end()}};
+    return edges;
+}
+
+// The names of the sides, each once.
+std::vector<std::string> names_of_sides(const std::vector<DomainOutline>& outlines) {
+    std::vector<std::string> names;
+    for (const DomainOutline& outline : outlines) {
+        for (const std::string& name : outline.sides) {
+            if (!name.empty() && std::ranges::find(names, name) == names.end()) {
+                names.push_back(name);
+            }
+        }
+    }
+    return names;
 }
 
 // Sets the motion of the interface, which must be exactly one.
@@ -111,9 +142,9 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
     Setup setup = parts.base ? parts.base->prepare(p) : scheduled_by(parts, p);
     setup.domain = parts.domain.value_or(setup.domain);
     const bool is_polygon = !parts.domain_outline.empty();
-    if (is_polygon) {
-        set_domain_outline(parts.domain_outline, p.h, setup);
-    }
+    const std::vector<DomainEdge> edges = is_polygon
+                                              ? set_domain_outline(parts.domain_outline, p.h, setup)
+                                              : std::vector<DomainEdge>();
     setup.clamped = parts.domain || is_polygon ? parts.is_clamped : setup.clamped;
     check_size(parts, p.h, setup);
     if (!parts.shapes.empty() || !parts.curves.empty() || parts.labels) {
@@ -132,6 +163,9 @@ Setup prepare(const SceneParts& parts, const Parameters& p) {
                           .allowed = "shapes, which are clipped at the domain boundary"});
     }
     set_motion(parts, p, setup);
+    if (parts.fluid) {
+        setup.fluid->options.domain_edges = edges;
+    }
     setup.advected = parts.advected.empty() ? setup.advected : parts.advected;
     setup.measured = parts.measured ? parts.measured : setup.measured;
     if (parts.sizes) {
@@ -191,7 +225,8 @@ void read_motion(const TableReader& top, SceneParts& parts) {
     } else if (kind == "curvature") {
         parts.curvature = read_curvature(top.table("curvature"));
     } else if (kind == "fluid") {
-        parts.fluid = FluidMotion{.options = read_fluid(top.table("fluid"))};
+        parts.fluid = FluidMotion{
+            .options = read_fluid(top.table("fluid"), names_of_sides(parts.domain_outline))};
     } else {
         parts.growth = read_growth(top.table("growth"));
     }

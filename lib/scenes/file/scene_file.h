@@ -9,8 +9,10 @@
 //     advected = [phases]         # phases whose inside moves with the flow
 //     [domain]                    # low = [0, 0], high = [1, 1]; or outline = a source, or a list
 //                                 # of them (outline_source.h): the domain is inside by the
-//                                 # even-odd rule and takes shapes only; clamped = true: the ends
-//                                 # of curves on the sides do not move
+//                                 # even-odd rule and takes shapes only; with a source, sides = a
+//                                 # name for its edges, or a list with one for each, of which the
+//                                 # first edge is that from the first point to the second;
+//                                 # clamped = true: the ends of curves on the sides do not move
 //     [[shape]]                   # phase = 1, hole_phase = 0, and a source (outline_source.h): by
 //                                 # the even-odd rule for its closed lines
 //     [shape]                     # labels = "FILE": an image of phases, spread over the domain

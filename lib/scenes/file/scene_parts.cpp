@@ -108,14 +108,21 @@ Rectangle read_domain(const TableReader& reader) {
     return domain;
 }
 
-std::vector<OutlineSource> read_domain_outline(const TableReader& reader) {
+std::vector<DomainOutline> read_domain_outline(const TableReader& reader) {
     reader.allow({"outline", "clamped"});
-    std::vector<OutlineSource> sources;
+    std::vector<DomainOutline> outlines;
     for (const TableReader& outline : reader.tables("outline")) {
-        outline.allow(source_keys());
-        sources.push_back(read_outline_source(outline, true));
+        std::vector<std::string> keys = source_keys();
+        keys.emplace_back("sides");
+        outline.allow(keys);
+        DomainOutline& one = outlines.emplace_back(DomainOutline{
+            .source = read_outline_source(outline, true), .where = outline.where("sides")});
+        if (outline.has("sides")) {
+            one.sides = outline.is_text("sides") ? std::vector{outline.text("sides")}
+                                                 : outline.texts("sides");
+        }
     }
-    return sources;
+    return outlines;
 }
 
 ShapeSource read_shape(const TableReader& reader) {

@@ -22,6 +22,13 @@ struct CurveSource {
     Phase right = exterior_phase;
 };
 
+/// An outline of the domain.
+struct DomainOutline {
+    OutlineSource source;
+    std::vector<std::string> sides{}; ///< one name for all edges, or one for each; empty: none
+    std::string where{};              ///< of `sides`, for errors
+};
+
 /// An [exact]. It is one of
 ///
 ///     back = true          after the time `period` the shapes are those of the start
@@ -37,9 +44,9 @@ struct ExactSource {
 [[nodiscard]] std::string read_name(const TableReader& top);
 
 [[nodiscard]] Rectangle read_domain(const TableReader& reader);
-/// The sources of a domain that is no rectangle, from `outline`. Their pieces are rings: holes,
+/// Outlines of a domain that is no rectangle, from `outline`. Their pieces are rings: holes,
 /// islands and parts by the even-odd rule.
-[[nodiscard]] std::vector<OutlineSource> read_domain_outline(const TableReader& reader);
+[[nodiscard]] std::vector<DomainOutline> read_domain_outline(const TableReader& reader);
 [[nodiscard]] ShapeSource read_shape(const TableReader& reader);
 /// Reads the [shape] with `labels`, and the file that it names.
 [[nodiscard]] std::shared_ptr<const LabelImage> read_label_image(const TableReader& reader);

@@ -156,6 +156,15 @@ double frequency_error(const std::vector<FluidMoment>& moments) {
                                                      : unknown;
 }
 
+// The force on each side that has a name.
+void add_forces(const Fluid& fluid, const std::string& ending, Figures& figures) {
+    for (const FluidSide& side : fluid.options().sides) {
+        const Point<double> force = fluid.force_on(side.name);
+        figures.push_back({"force_x_" + side.name + ending, force.x()});
+        figures.push_back({"force_y_" + side.name + ending, force.y()});
+    }
+}
+
 } // namespace
 
 void archive(Archive& archive, FluidMoment& m) {
@@ -244,16 +253,18 @@ void FluidRun::look() {
 
 Figures FluidRun::now() const {
     const FluidMoment& m = moments_.back();
-    return {{"circularity", m.circularity},
-            {"centre", m.centre},
-            {"rise_velocity", m.rise_velocity},
-            {"largest_velocity", m.largest_velocity},
-            {"pressure_jump", m.pressure_jump},
-            {"energy", m.energy},
-            {"amplitude", m.amplitude},
-            {"amplitude_exact", m.exact_amplitude},
-            {"neck", m.neck},
-            {"neck_exact", m.exact_neck}};
+    Figures figures{{"circularity", m.circularity},
+                    {"centre", m.centre},
+                    {"rise_velocity", m.rise_velocity},
+                    {"largest_velocity", m.largest_velocity},
+                    {"pressure_jump", m.pressure_jump},
+                    {"energy", m.energy},
+                    {"amplitude", m.amplitude},
+                    {"amplitude_exact", m.exact_amplitude},
+                    {"neck", m.neck},
+                    {"neck_exact", m.exact_neck}};
+    add_forces(fluid_, "", figures);
+    return figures;
 }
 
 Figures FluidRun::figures() const {
@@ -270,6 +281,7 @@ Figures FluidRun::figures() const {
                     {"largest_velocity_last", last.largest_velocity},
                     {"pressure_jump_last", last.pressure_jump},
                     {"energy_last", last.energy}};
+    add_forces(fluid_, "_last", figures);
     if (motion_.wave) {
         figures.push_back({"amplitude_error", amplitude_error(moments_)});
         figures.push_back({"frequency_error", frequency_error(moments_)});

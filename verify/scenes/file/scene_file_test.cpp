@@ -151,6 +151,33 @@ TEST(SceneFile, ADomainOfAnyShapeIsReadLikeAShape) {
     EXPECT_THROW((void)run_text(options + "[domain]\nlow = [0, 0]\n" + ring), InputError);
 }
 
+// A channel with an inflow at one named side: what flows in flows out on the other one.
+TEST(SceneFile, SidesOfTheDomainHaveNames) {
+    const std::string domain =
+        "[domain]\noutline = [{ points = [[0, 0], [2, 1], [1.5, 2], [-0.5, 1]], "
+        "sides = ['wall', 'out', 'wall', 'in'] }, "
+        "{ circle = { centre = [0.7, 1], radius = 0.2 }, sides = 'hole' }]\n";
+    const std::string fluid = "[fluid]\nphases = [{ phase = 0 , density = 1, viscosity = 1 }]\n";
+    const scenes::Setup setup =
+        setup_of(options + domain + fluid +
+                 "walls = { in = { inflow = '2 * t + x' }, out = 'open', wall = 'slip', "
+                 "hole = { velocity = ['y', '-x'] } }\n");
+    const FluidOptions& options_of_fluid = setup.fluid->options;
+    ASSERT_EQ(options_of_fluid.domain_edges.size(), 4 + 13U);
+    EXPECT_EQ(options_of_fluid.domain_edges[1].side, "out");
+    EXPECT_EQ(options_of_fluid.domain_edges[1].from, Point<double>(2, 1));
+    EXPECT_EQ(options_of_fluid.domain_edges[3].to, Point<double>(0, 0));
+    EXPECT_EQ(options_of_fluid.domain_edges.back().side, "hole");
+    const auto side = [&](const std::string& name) {
+        return *std::ranges::find(options_of_fluid.sides, name, &FluidSide::name);
+    };
+    ASSERT_EQ(options_of_fluid.sides.size(), 4U);
+    EXPECT_EQ(side("out").wall, Wall::open);
+    EXPECT_EQ(side("wall").wall, Wall::slip);
+    EXPECT_EQ(side("in").inflow({3, 9}, 0.5), 4);
+    EXPECT_EQ(side("hole").velocity({3, 9}, 0), Point<double>(9, -3));
+}
+
 TEST(SceneFile, ScalesAndMovesWhatItReads) {
     const scenes::Setup setup =
         setup_of(options + "[[shape]]\npoints = [[0, 0], [1, 0], [1, 1]]\nscale = [0.5, -0.5]\n"
@@ -197,7 +224,16 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
         {options + "[domain]\nlow = [0, nan]\n", {"s.toml:6", "[domain] low", "nan", "[x, y]"}},
         {options + "[domain]\nlow = [0, 0, 0]\n", {"s.toml:6", "[domain] low", "[x, y]"}},
         {options + "[fluid]\nwalls = { left = 'free' }\n", {"s.toml:6", "left", "free", "no-slip"}},
+        {options + "[fluid]\nwalls = { inlet = 'slip' }\n", {"s.toml:6", "inlet", "bottom"}},
+        {options + "[fluid]\nwalls = { left = { inflow = 'q' } }\n", {"s.toml:6", "inflow", "q"}},
+        {options + "[fluid]\nwalls = { left = { velocity = ['x'] } }\n",
+         {"s.toml:6", "velocity", "two formulas"}},
+        {options + "[fluid]\nwalls = { left = { inflow = 'x', velocity = ['x', 'y'] } }\n",
+         {"s.toml:6", "inflow and velocity"}},
         {options + "[domain]\noutline = { radius = 2 }\n", {"s.toml:6", "outline", "radius"}},
+        {options +
+             "[domain]\noutline = { points = [[0, 0], [1, 0], [0, 1]], sides = ['a', 'b'] }\n",
+         {"s.toml:6", "sides", "2 names, 3 edges"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1, viscosity = -2 }]\n",
          {"s.toml:6", "viscosity", "-2"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1 }]\n", {"s.toml", "viscosity"}},
