@@ -14,8 +14,8 @@
 //
 // The walls are no-slip, slip or open (outflow without stress); or without slip and
 //
-//     left = { inflow = "6 * y * (1 - y)" }       # the speed at which fluid flows in at a right
-//     angle cylinder = { velocity = ["-2 * y", "2 * x"] } # of the wall
+//     left = { inflow = "6 * y * (1 - y)" }           # the speed at a right angle to the wall
+//     cylinder = { velocity = ["-2 * y", "2 * x"] }
 //
 // by formulas in x, y and t. The four names are those of the sides of the box around the domain,
 // and `other` is the boundary that lies on none of them; further names are the `sides` of the
