@@ -178,6 +178,7 @@ void replace(Complex& complex, Rewiring& work, std::span<const std::uint32_t> ol
     std::uint32_t open = 0; // outer faces of old and new tets that have no partner
     for (const std::uint32_t t : old) {
         for (std::uint32_t i = 0; i < 4; ++i) {
+            work.stars.forget(complex.tets[t].v[i]);
             const auto key = face_key(complex, corner_of(t, i));
             FaceTable::Slot& slot = faces.find(key);
             if (faces.is_used(slot)) {

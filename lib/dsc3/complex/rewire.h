@@ -5,6 +5,7 @@
 
 #include "dsc3/complex/complex.h"
 #include "dsc3/complex/ownership.h"
+#include "dsc3/complex/star.h"
 
 #include <array>
 #include <span>
@@ -56,6 +57,7 @@ struct Rewiring {
     Ownership* ownership = nullptr; ///< kept up to date, if there are submeshes
     Submesh* submesh = nullptr;     ///< the one that is edited; none: the whole complex may be
     FaceTable faces;
+    StarCache stars;
     std::vector<std::uint32_t> old;       ///< tets to be removed, as listed by an operation
     std::vector<NewTet> made;             ///< tets to be made, as listed by an operation
     std::vector<std::uint32_t> changed;   ///< ids of tets that were written; the caller empties it

@@ -46,6 +46,29 @@ void gather(const Complex& complex, std::uint32_t vertex, Star& star) {
     }
 }
 
+void StarCache::open() {
+    for (Entry& entry : entries_) {
+        entry.centre = no_id;
+    }
+    is_open_ = true;
+}
+
+void StarCache::gather(const Complex& complex, std::uint32_t vertex, Star& star) {
+    if (!is_open_) {
+        dsc3::gather(complex, vertex, star);
+        return;
+    }
+    Entry& entry = entries_[vertex % size];
+    if (entry.centre == vertex) {
+        star.centre = vertex;
+        star.corners = entry.corners;
+        return;
+    }
+    dsc3::gather(complex, vertex, star);
+    entry.centre = vertex;
+    entry.corners = star.corners;
+}
+
 EdgeAt find_edge(const Complex& complex, std::uint32_t a, std::uint32_t b, Star& star) {
     if (!complex.is_alive(Vertex{a}) || !complex.is_alive(Vertex{b}) || a == b) {
         return {};

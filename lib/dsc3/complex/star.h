@@ -49,6 +49,35 @@ struct Star {
 /// Gathers the star of a living vertex. O(degree).
 void gather(const Complex& complex, std::uint32_t vertex, Star& star);
 
+/// The stars that were gathered last, so that few are gathered again. Whoever edits the complex
+/// forgets those of the vertices concerned.
+class StarCache {
+public:
+    /// Begins without stars: while it is open, all edits must be reported.
+    void open();
+    /// Ends: `gather` searches again.
+    void close() { is_open_ = false; }
+    /// Forgets the star of a vertex. O(1).
+    void forget(std::uint32_t vertex) {
+        Entry& entry = entries_[vertex % size];
+        if (entry.centre == vertex) {
+            entry.centre = no_id;
+        }
+    }
+    /// `gather` of a star, if it is not known. O(degree).
+    void gather(const Complex& complex, std::uint32_t vertex, Star& star);
+
+private:
+    static constexpr std::size_t size = 128;
+    struct Entry {
+        std::uint32_t centre = no_id;
+        std::vector<Corner> corners;
+    };
+
+    std::array<Entry, size> entries_;
+    bool is_open_ = false;
+};
+
 /// An edge, named by a tet that has it and its two vertices.
 struct EdgeAt {
     std::uint32_t tet = border_tet;

@@ -144,17 +144,17 @@ Verdict edge_collapse_guard(const Complex& complex, Workspace& work, Vertex vani
     if (on_interface && !complex.is_interface(target)) {
         return Verdict::on_interface;
     }
-    gather(complex, vanishing.id, work.star);
+    work.rewiring.stars.gather(complex, vanishing.id, work.star);
     StarQuality& quality = work.quality;
     quality.gather(complex, work.star, target.id);
-    if (quality.others() == quality.size()) {
+    if (!quality.leaves_out()) {
         return Verdict::not_a_simplex;
     }
     const Real before = quality.worst(complex.position(vanishing));
     const Real needed = before < rules.floor
                             ? std::max(escape * before, std::min(rules.floor, Real(1e-7)))
                             : std::max(rules.floor, std::min(1.001 * before + 1e-9, rules.enough));
-    if (!(quality.worst(complex.position(target), quality.others()) > needed)) {
+    if (!(quality.worst_of_others(complex.position(target)) > needed)) {
         return Verdict::inverts;
     }
     return on_interface || fixed != 0 ? surface_guard(complex, work, target.id, rules)

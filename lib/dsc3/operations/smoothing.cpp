@@ -29,7 +29,7 @@ Real ascend(StarQuality& star, Real quality, Point& parameters, const AscentRule
     Real step = rules.step;
     Point best = place(parameters);
     for (int iteration = 0; iteration < rules.iterations && quality < rules.enough; ++iteration) {
-        const Point way = slope(star.gradient(star.worst_tet(star.size()), best));
+        const Point way = slope(star.gradient(star.worst_tet(), best));
         const Real length = way.norm();
         if (!(length > 0)) {
             break;
@@ -38,8 +38,9 @@ Real ascend(StarQuality& star, Real quality, Point& parameters, const AscentRule
         for (int attempt = 0; attempt < rules.attempts && !is_better; ++attempt) {
             const Point next = parameters + (step / length) * way;
             const Point to = place(next);
-            const Real there = star.worst(to);
-            if (there > 1.0001 * quality && is_allowed(next, to)) {
+            const Real needed = 1.0001 * quality;
+            const Real there = star.worst_above(to, needed);
+            if (there > needed && is_allowed(next, to)) {
                 quality = there;
                 parameters = next;
                 best = to;
@@ -76,11 +77,9 @@ Real raise_worst(StarQuality& star, Real quality, Point& place, int iterations,
     const Point start = place;
     Point mean = star.mean();
     keep_on_sides(mean, start, fixed);
-    if (const Real there = star.worst(mean); there > quality) {
-        quality = there;
+    if (star.is_above(mean, quality)) {
+        quality = star.worst(mean);
         place = mean;
-    } else {
-        star.worst(place);
     }
     const AscentRules rules{.step = 0.2 * star.length(),
                             .enough = smooth_enough,
@@ -105,7 +104,7 @@ Verdict smooth(Complex& complex, Workspace& work, Vertex vertex, int iterations)
         return Verdict::no_gain;
     }
     record.flags |= vertex_settled;
-    gather(complex, vertex.id, work.star);
+    work.rewiring.stars.gather(complex, vertex.id, work.star);
     StarQuality& star = work.quality;
     star.gather(complex, work.star);
     Point best = record.position;
