@@ -35,12 +35,14 @@ void gather(const Complex& complex, std::uint32_t vertex, Star& star) {
     corners.clear();
     corners.push_back(complex.vertices[vertex].corner);
     star.met.enter(tet_of(corners[0]));
+    star.entries.assign(1, index_of(corners[0]));
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const TetRecord& tet = complex.tets[tet_of(corners[k])];
         for (const std::uint32_t i : face_indices[index_of(corners[k])]) {
             const std::uint32_t other = tet_of(tet.n[i]);
-            if (other != border_tet && star.met.enter(other)) {
+            if (i != star.entries[k] && other != border_tet && star.met.enter(other)) {
                 corners.push_back(corner_of(other, index_in(complex.tets[other], vertex)));
+                star.entries.push_back(index_of(tet.n[i]));
             }
         }
     }

@@ -41,9 +41,10 @@ private:
 
 /// The tets around a vertex, by their corners there.
 struct Star {
-    std::uint32_t centre = no_id; ///< the vertex
-    std::vector<Corner> corners;  ///< in the order of a walk from the vertex's corner
-    IdTable met;                  ///< scratch
+    std::uint32_t centre = no_id;       ///< the vertex
+    std::vector<Corner> corners;        ///< in the order of a walk from the vertex's corner
+    IdTable met;                        ///< scratch
+    std::vector<std::uint32_t> entries; ///< scratch: by tet, the face through which it was met
 };
 
 /// Gathers the star of a living vertex. O(degree).

@@ -13,6 +13,9 @@ namespace {
 
 // A move must keep this fraction of a tet's quality.
 constexpr Real kept_quality = 0.7;
+// Values of `PassState::moves`. The second marks vertices that went back in the last round.
+constexpr std::uint8_t is_moving = 1;
+constexpr std::uint8_t went_back = 2;
 // After this number of halvings a vertex stays, so that the roll-back ends.
 constexpr std::uint32_t halvings = 4;
 
@@ -69,9 +72,10 @@ private:
                 }
             });
     }
-    [[nodiscard]] bool touches(const TetRecord& tet) const {
-        return (moves_[tet.v[0]] | moves_[tet.v[1]] | moves_[tet.v[2]] | moves_[tet.v[3]]) != 0;
+    [[nodiscard]] int any_of_moves(const TetRecord& tet) const {
+        return moves_[tet.v[0]] | moves_[tet.v[1]] | moves_[tet.v[2]] | moves_[tet.v[3]];
     }
+    [[nodiscard]] bool touches(const TetRecord& tet) const { return any_of_moves(tet) != 0; }
     void enter_tet(std::uint32_t t) {
         if (state_.tet_stamps[t] != state_.pass) {
             state_.tet_stamps[t] = state_.pass;
@@ -97,7 +101,7 @@ private:
     }
 
     void enter(std::uint32_t v) {
-        moves_[v] = 1;
+        moves_[v] = is_moving;
         moving_[v].origin = complex_.at(v);
         moving_[v].fraction = 1;
     }
@@ -143,13 +147,13 @@ private:
             for (const Follower& part : state_.followers[chunk]) {
                 MovingVertex& sum = moving_[part.vertex];
                 if (moves_[part.vertex] == 0) {
-                    moves_[part.vertex] = 1;
+                    moves_[part.vertex] = is_moving;
                     listed.push_back(part.vertex);
                     sum.way = part.way;
-                    sum.changed = part.count;
+                    sum.leaders = part.count;
                 } else {
                     sum.way += part.way;
-                    sum.changed += part.count;
+                    sum.leaders += part.count;
                 }
             }
         }
@@ -157,7 +161,7 @@ private:
         const Real share = Real(layers - layer) / (layers + 1 - layer);
         for_each(listed.size(), [&](std::size_t k, std::uint32_t) {
             const std::uint32_t v = listed[k];
-            moving_[v].way *= share / static_cast<Real>(moving_[v].changed);
+            moving_[v].way *= share / static_cast<Real>(moving_[v].leaders);
             keep_on_sides(moving_[v].way, Point::Zero(), complex_.vertices[v].flags);
             enter(v);
         });
@@ -231,7 +235,6 @@ private:
         for_each(state_.moving_vertices.size(), [&](std::size_t k, std::uint32_t) {
             const std::uint32_t v = state_.moving_vertices[k];
             MovingVertex& one = moving_[v];
-            one.changed = 0;
             one.wanted = 0;
             complex_.vertices[v].position = // without rounding, if it has a target
                 k < state_.pending.size() ? state_.targets[v] : Point(one.origin + one.way);
@@ -249,6 +252,11 @@ private:
                     look(k, round, state_.lists[chunk]);
                 });
             auto& blocked = state_.listed;
+            if (round > 0) {
+                for (const std::uint32_t v : blocked) {
+                    moves_[v] = is_moving;
+                }
+            }
             blocked.clear();
             for (std::uint32_t chunk = 0; chunk < chunks; ++chunk) {
                 for (const std::uint32_t v : state_.lists[chunk]) {
@@ -264,7 +272,7 @@ private:
             for (const std::uint32_t v : blocked) {
                 MovingVertex& one = moving_[v];
                 one.fraction = round < halvings ? one.fraction / 2 : 0;
-                one.changed = round + 1;
+                moves_[v] = is_moving | went_back;
                 complex_.vertices[v].position =
                     one.fraction == 0 ? one.origin
                                       : Point(one.origin + Real(one.fraction) * one.way);
@@ -274,7 +282,7 @@ private:
     // Lists the vertices of a tet that have to go back.
     void look(std::size_t k, std::uint32_t round, std::vector<std::uint32_t>& blocked) {
         const TetRecord& tet = complex_.tets[state_.near[k]];
-        if (round > 0 && !was_changed(tet, round)) {
+        if (round > 0 && (any_of_moves(tet) & went_back) == 0) {
             return;
         }
         const Real quality = quality_of(complex_, state_.near[k]);
@@ -288,14 +296,6 @@ private:
                 blocked.push_back(v);
             }
         }
-    }
-    [[nodiscard]] bool was_changed(const TetRecord& tet, std::uint32_t round) const {
-        for (const std::uint32_t v : tet.v) {
-            if (moves_[v] != 0 && moving_[v].changed == round) {
-                return true;
-            }
-        }
-        return false;
     }
     [[nodiscard]] Real quality_before(const TetRecord& tet) const {
         std::array<const Point*, 4> p{};

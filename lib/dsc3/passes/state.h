@@ -24,7 +24,7 @@ struct LateVertex {
 
 /// The state of a vertex in movement: one cache line.
 struct alignas(64) MovingVertex {
-    std::uint32_t changed = 0; ///< the last round of roll-back in which its displacement was halved
+    std::uint32_t leaders = 0; ///< from how many vertices its displacement was averaged
     std::uint32_t wanted = 0;  ///< the last round in which one of its tets was bad
     float fraction = 0;        ///< of its displacement
     Point way = Point::Zero(); ///< from its origin to its target
@@ -69,7 +69,7 @@ struct PassState {
     std::vector<std::pair<Real, std::uint32_t>> worst = {}; ///< unimproved tets, by quality
     std::vector<std::uint32_t> around = {};
     // Scratch of movement.
-    std::vector<std::uint8_t> moves = {};  ///< by vertex: 1 if it moves in this pass
+    std::vector<std::uint8_t> moves = {};  ///< by vertex: not 0 if it moves in this pass
     std::vector<MovingVertex> moving = {}; ///< by vertex
     std::vector<std::uint32_t> moving_vertices = {};
     std::vector<std::uint32_t> tet_stamps = {}; ///< by tet: the last pass that listed it

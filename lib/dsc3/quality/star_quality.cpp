@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -74,12 +73,13 @@ void StarQuality::put_faces(const Complex& complex) {
 void StarQuality::gather(const Complex& complex, const Star& star, std::uint32_t without) {
     origin_ = complex.at(star.centre);
     size_ = static_cast<std::uint32_t>(star.corners.size());
-    corners_.clear();
     const auto is_left_out = [&](Corner corner) {
-        return without != no_id && has_vertex(complex.tets[tet_of(corner)], without);
+        return has_vertex(complex.tets[tet_of(corner)], without);
     };
-    std::copy_if(star.corners.begin(), star.corners.end(), std::back_inserter(corners_),
-                 std::not_fn(is_left_out));
+    corners_ = star.corners;
+    if (without != no_id) {
+        std::erase_if(corners_, is_left_out);
+    }
     const bool leaves_out = corners_.size() < size_;
     fill_block();
     other_blocks_ = corners_.size() / lanes;
