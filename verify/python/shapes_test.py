@@ -3,8 +3,10 @@
 detail."""
 import pathlib
 import pickle
+import re
 import tempfile
 import unittest
+import warnings
 
 import dsc
 import numpy as np
@@ -72,6 +74,18 @@ class Shapes(unittest.TestCase):
                 with self.assertRaisesRegex(dsc.InputError, error):
                     dsc.initial_complex(DOMAIN, halves, edge_length=H, coverage=coverage)
 
+    def test_needles_at_borders_that_do_not_meet_are_told(self):
+        x = (.33, .66)
+        gap = {1: [(0, 0), (x[0], 0), (x[1], 1), (0, 1)], 2: [(x[0], 0), (1, 0), (1, 1), (x[1] + 1e-3, 1)]}
+        words = r"an angle of 0\.\d+ degrees at \(0\.\d+, .*\); if borders .* give border_tolerance=(0\.0\d)"
+        with self.assertWarnsRegex(UserWarning, words) as told:
+            dsc.initial_complex(DOMAIN, gap, edge_length=.03)
+        wanted = float(re.search(words, str(told.warning))[1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            mesh = dsc.initial_complex(DOMAIN, gap, edge_length=.03, border_tolerance=wanted)
+        self.assertGreater(mesh.min_angles.min(), 10)
+
     def test_heights(self):
         ring = np.c_[np.array(OUTER), np.full(5, 12.5)]
         self.assertEqual(areas({1: ring}), {1: .36})
@@ -121,6 +135,16 @@ class Labels(unittest.TestCase):
         self.assertFalse(mesh.validate())
         mesh = dsc.from_labels(labels == 2, edge_length=.25)
         self.assertEqual({k: round(v, 5) for k, v in mesh.areas.items()}, {0: 5, 1: 7})
+
+    def test_grey_values_are_told(self):
+        rows, columns = np.mgrid[:40, :40]
+        picture = (255 * np.clip((12.3 - np.hypot(rows - 19.5, columns - 20)) / 2 + .5, 0, 1)).astype(int)
+        few = len(np.unique(picture)) - 2  # without those of the disc and around it
+        with self.assertWarnsRegex(UserWarning, rf"{few} of {few + 2} phases have no pixel .* np\.where"):
+            dsc.from_labels(picture, edge_length=2)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual(set(dsc.from_labels(np.where(picture > 127, 1, 0), edge_length=2).areas), {0, 1})
 
     def test_what_is_refused(self):
         hidden = np.ma.masked_equal([[1, 2], [9, 9]], 9)

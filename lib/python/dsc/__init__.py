@@ -27,10 +27,10 @@ from .data import Data
 from .drawing import animate, plot
 from .flows import Flow, curvature_flow, growth, interface_flow, swirl
 from .fluid import Fluid
-from .interplay import from_meshio
 from .measures import area, circle, grains, hausdorff, symmetric_difference
 from .mesh import Mesh, from_labels, initial_complex
 from .mesh3 import Mesh3
+from .reading import from_meshio
 from .records import Curve, Event, Faces, InputReport, Interface, Report, Report3
 from .runs import Series, run
 from .shapes3 import Shape3, ball, box, closed_surface, ellipsoid, torus

@@ -2,6 +2,9 @@
 """Meshes: the compiled part, with the methods expected of a Python object."""
 import pathlib
 import tempfile
+import warnings
+
+import numpy as np
 
 from . import _dsc, arrays, interplay
 from .data import Data
@@ -143,7 +146,27 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
         arrays.refuse("both shapes and curves are given", "initial_complex", "both", "either")
     if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
-    return Mesh._made_of(rings, pieces, options)
+    mesh = Mesh._made_of(rings, pieces, options)
+    if shapes is not None:
+        _warn_of_needles(mesh, options["edge_length"])
+    return mesh
+
+
+def _warn_of_needles(mesh, edge_length):
+    """Borders that were meant to coincide, but do not, leave needles between them."""
+    needle = 3  # degrees
+    angles = mesh.min_angles
+    worst = int(angles.argmin())
+    if angles[worst] >= needle:
+        return
+    corners = mesh.points[mesh.triangles[angles < needle]]
+    sides = np.roll(corners, -1, axis=1) - corners
+    doubled = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    gap = (doubled / np.linalg.norm(sides, axis=2).max(axis=1)).max() / edge_length
+    x, y = mesh.points[mesh.triangles[worst]].mean(axis=0)
+    warnings.warn(f"the first mesh has an angle of {angles[worst]:.2g} degrees at ({x:.4g}, {y:.4g}); if borders of shapes "
+                  f"are meant to meet there, give border_tolerance={min(max(2 * gap, 0.002), 0.1):.1g}, or twice the "
+                  "rounding of the coordinates over edge_length", stacklevel=3)
 
 
 def from_labels(array, domain=None, min_pixels=0, **options):
@@ -152,7 +175,25 @@ def from_labels(array, domain=None, min_pixels=0, **options):
     options = {_dsc.current_option(name): value for name, value in options.items()}
     min_pixels = options.pop("min_pixels", min_pixels)
     corners = arrays.points(((0, 0), (columns, rows)) if domain is None else domain, "domain", 2)
+    _warn_of_grey(labels)
     return Mesh._made_of(corners, labels, arrays.count(min_pixels, "min_pixels"), options)
+
+
+def _warn_of_grey(labels):
+    """Grey values along the borders of an anti-aliased picture are phases that have no pixel inside."""
+    few = 8
+    is_inner = np.ones(labels.shape, bool)
+    for axis in (0, 1):
+        differs = np.diff(labels, axis=axis) != 0
+        before, after = ((0, 1), (0, 0)), ((1, 0), (0, 0))
+        for pad in (before, after):
+            is_inner &= ~np.pad(differs, pad if axis == 0 else pad[::-1])
+    phases = len(np.unique(labels))
+    thin = phases - len(np.unique(labels[is_inner]))
+    if thin > few and 2 * thin > phases:
+        warnings.warn(f"{thin} of {phases} phases have no pixel whose neighbours have the same phase, as the grey values "
+                      "along the borders of an anti-aliased picture: from_labels takes each value as a phase; give numbers of "
+                      "phases, such as np.where(picture > 127, 1, 0), or merge small grains by min_pixels", stacklevel=3)
 
 
 from_labels.__doc__ = f"""Makes the mesh of an image whose pixels are numbers of phases.
