@@ -84,6 +84,8 @@ def main(argv=None):
     given = words.parse_args(argv)
 
     def write():
+        if not given.out.endswith(".webp"):
+            raise load.InputFault(f"--out has '{given.out}', where names ending in .webp are allowed.")
         data, sentence = film(given.folder)
         style.write_bytes(given.out, data)
         print(f"{given.out}: {sentence}")

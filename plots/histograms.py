@@ -140,8 +140,11 @@ def _one(scene, quantity, found, published, context):
 
 
 def main(argv=None):
-    return script.main(__doc__, lambda given: draw(
-        [load.read_scene(path) for path in given.files], None, {}), argv)
+    def pictures(given):
+        scenes = [load.read_scene(path) for path in given.files]
+        return draw(scenes, None, {}, load.scene_context(scenes[0]))
+
+    return script.main(__doc__, pictures, argv)
 
 
 if __name__ == "__main__":

@@ -62,7 +62,8 @@ def draw_error(axes, columns):
         draw_column(axes, columns, "interface_length", style.BLUE, "length of the interface",
                     "domain units")
         return
-    axes.plot(columns["time"], columns["sd_rel"], color=style.BLUE)
+    # The error of a shape that comes back is known at the end only.
+    axes.plot(columns["time"], columns["sd_rel"], color=style.BLUE, marker="o" if len(errors) == 1 else None)
     axes.set(title="error against the exact shape", ylabel="symmetric difference / area",
              yscale="log" if max(errors) > 0 else "linear")
 

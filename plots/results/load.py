@@ -154,6 +154,11 @@ def _context(data):
                    text("dsc_build_type"), text("dsc_load"), text("date"), text("dsc_clock"), text("dsc_binding"))
 
 
+def scene_context(scene):
+    """Where and by which commit a Scene was computed."""
+    return _context({f"dsc_{key}": scene.data.get(key, "") for key in ("machine", "commit")})
+
+
 def read_bench(paths):
     """All measurements of several files, which must come from one machine and one commit."""
     first, measurements, refused = None, {}, []

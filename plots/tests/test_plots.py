@@ -179,6 +179,8 @@ class Plots(Case):
         self.assertAlmostEqual(histograms.distance(shapes["sequential"], shapes["cells"]), 0.1)
         self.assertIn("differ in at most 10.0 % of the triangles",
                       histograms.draw([], found, {})[0].sentence)
+        run = load.Scene("s.json", "swirl", "cells", {"machine": "a machine", "commit": "c0ffee"}, [])
+        self.assertIn("c0ffee", style.caption_text(load.scene_context(run)))
         self.assertEqual(histograms.draw([], found, {}, shown=set()), [])
 
     def test_histograms_of_one_edge_length_are_compared(self):

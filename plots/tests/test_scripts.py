@@ -185,6 +185,10 @@ class Scripts(Case):
         for fact in ("swirl over time, cells", "a\N{NO-BREAK SPACE}machine", "c0ffee", "14 steps",
                      "2 threads"):
             self.assertIn(fact, texts)
+        columns["sd_rel"] = [float("nan"), float("nan"), 0.01]  # one point has no line
+        (line,) = next(axes for axes in over_time.picture(columns, None).figure.axes
+                       if axes.get_title(loc="left") == "error against the exact shape").lines
+        self.assertEqual(line.get_marker(), "o")
         columns["sd_rel"] = [float("nan")] * 3
         figure = over_time.picture(columns, None).figure
         self.assertIn("length of the interface",
@@ -202,6 +206,7 @@ class Scripts(Case):
     def test_what_a_script_refuses(self):
         result = self.write("mine.json", own_suite())
         self.refuse("speedup", "p.gif", result, out="p.gif")
+        self.refuse("film", "p.gif", self.bubbles()[0], out="p.gif")
         self.refuse("speedup", "mine_run", result, "--case", "other")
         self.refuse("speedup", "alone.json", self.write("alone.json", own_suite(["sequential"])))
         self.refuse("speedup", "no.json", self.path("no.json"))
@@ -247,6 +252,12 @@ class Scripts(Case):
             self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
             self.assertIn(f"has no {missing}", done.stderr)
             self.assertIn(f"python3-{missing}", done.stderr)
+        done = subprocess.run(
+            [sys.executable, "-c", "import runpy, sys; sys.modules['matplotlib'] = None; sys.argv = ['speedup.py', '--help']; "
+             "runpy.run_path('speedup.py', run_name='__main__')"],
+            cwd=PLOTS, env={**os.environ, "PYTHONPATH": PLOTS}, capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("speedup.py FILE.json", done.stdout)
 
 
 if __name__ == "__main__":

@@ -55,7 +55,8 @@ std::string where_text(const Place& place) {
 
 // A line for each known fact of the failure.
 std::string failure_lines(const Row& row) {
-    std::string text = "  measured  " + measured_text(row) + ' ' + row.check->unit + " (" +
+    std::string text = "  measured  " + measured_text(row) +
+                       (row.check->unit == "1" ? "" : ' ' + row.check->unit) + " (" +
                        row.check->description + ")\n  limit     " + limit_text(row) + ": " +
                        row.limit.reason() + '\n';
     const auto line = [&](const char* name, const std::string& value) {

@@ -80,6 +80,16 @@ class Gate(CommandLine):
                              *(["--drift", drift] if drift else []))
             self.assertEqual(done.returncode, code, done.stdout)
 
+    def test_limits_of_several_sizes_are_refused_before_anything_runs(self):
+        text = '[[case]]\nscene = "scaling"\nh = [0.1, 0.001]\n[case.limits]\ninverted = { at_most = 0, orders = 51 }\n'
+        suite = self.write("suite.toml", text)
+        done = self.call("propose", suite, "--update")  # one size alone would take minutes in 51 orders
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("the [[case]] has several scenes or sizes", done.stderr)
+        self.assertIn("one [[case]] for each scene and size", done.stderr)
+        with open(suite, encoding="utf-8") as stream:
+            self.assertEqual(stream.read(), text)
+
     def test_a_full_disk(self):
         self.expect_refusal("run", self.cheap, "--out", self.path("out"), words=["verify.json"],
                             code=(1,), prepare=limited_to(100))
