@@ -20,8 +20,8 @@ LARGEST = 0.05  # limit on the RMS difference of pictures, because fonts may dif
 class Tour(unittest.TestCase):
     def test_programs_do_what_the_pages_say(self):
         here = os.getcwd()
-        for name, page in [("swirl", "python.md"), ("grains", "python.md"), ("conduction", "python.md"),
-                           ("space", "python.md"), ("shapes", "shapes.md")]:
+        for name, page in [("swirl", "python.md"), ("grains", "python.md"), ("mullins", "python.md"),
+                           ("conduction", "python.md"), ("space", "python.md"), ("shapes", "shapes.md")]:
             page = (GUIDE / page).read_text(encoding="utf-8")
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
                 printed = io.StringIO()
