@@ -66,7 +66,7 @@ def draw(bench):
     return [_picture(points, bench.context)] if points else []
 
 
-def _panel(axes, points, looks):
+def _panel(axes, points, looks, marker_of):
     n = points[0].n
     times = [p.base.median for p in points]
     middle = math.sqrt(max(times) * min(times))
@@ -86,7 +86,7 @@ def _panel(axes, points, looks):
     axes.axhline(1 / n, color=style.MUTED, linewidth=0.9, zorder=2)
     for p in points:
         style.points(axes, [(p.base.median, [s / n for s in p.interval], p.doubtful)],
-                     looks[p.label][0], MARKERS.get(p.row.family, "p"))
+                     looks[p.label][0], marker_of(p))
     found = threshold(judged(points, n))
     if found and found[1]:
         axes.axvline(found[0], color=style.INK, linewidth=0.9, linestyle=style.DOTTED, zorder=2)
@@ -98,20 +98,28 @@ def _panel(axes, points, looks):
 def _picture(points, context):
     columns = sorted({p.n for p in points})[:MOST]
     looks = series.looks(series.by_label(points))
+    families = series.families([p.row for p in points])
+    is_one = len(families) == 1  # markers then tell strategies apart, else scenes
+
+    def marker_of(point):
+        return looks[point.label][1] if is_one else MARKERS.get(point.row.family, "p")
+
     fig, grid = style.figure(max(7.2, 0.5 + 3.6 * len(columns)), 5.0, 1, len(columns),
                              sharey=True)
     for axes, n in zip(grid[0], columns):
-        _panel(axes, [p for p in points if p.n == n], looks)
+        _panel(axes, [p for p in points if p.n == n], looks, marker_of)
     grid[0][0].set_ylabel("$S(n)\\,/\\,n$")
-    handles = [style.square(label, colour) for label, (colour, _) in looks.items()]
-    handles += [style.key(series.title(f), style.MUTED, MARKERS.get(f, "p"), "none")
-                for f in series.families([p.row for p in points])]
+    if is_one:
+        handles = [style.key(label, colour, marker, "none") for label, (colour, marker) in looks.items()]
+    else:
+        handles = [style.square(label, colour) for label, (colour, _) in looks.items()]
+        handles += [style.key(series.title(f), style.MUTED, MARKERS.get(f, "p"), "none") for f in families]
     if any(p.doubtful for p in points):
         handles.append(style.key("under load", style.MUTED, "o", "none", style.doubtful))
     handles.append(style.key("ideal", style.MUTED, line=LEVEL, width=1))
     title = "Granularity: how much work a step needs for threads to pay"
     style.finish(fig, title, style.caption_text(
-        context, "Colour: strategy; marker: scene. "
+        context, (series.title(families[0]) + ". " if is_one else "Colour: strategy; marker: scene. ")
         + style.bars_text([len(p.row.times) for p in points])), handles)
     return style.Picture("granularity", title, plain(points), fig, *_table(points))
 

@@ -52,9 +52,7 @@ def draw(bench, published):
     left = min(everything) / 3
     for place, (_, times) in enumerate(found):
         low, middle, high = style.interval(times)
-        axes.barh(place, middle - left, left=left, height=0.6, color=style.BLUE, alpha=0.85,
-                  linewidth=0, zorder=2)
-        axes.errorbar(middle, place, xerr=[[middle - low], [high - middle]], fmt="none",
+        axes.errorbar(middle, place, xerr=[[middle - low], [high - middle]], fmt="o", color=style.BLUE,
                       ecolor=style.INK, elinewidth=1, capsize=2.5, zorder=3)
         axes.text(high * 1.1, place, style.duration(middle / 1e3), va="center", fontsize=8.5,
                   zorder=4, color=style.INK, bbox={"facecolor": "white", "edgecolor": "none",

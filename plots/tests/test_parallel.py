@@ -13,7 +13,7 @@ import step_cost
 import submeshes
 from look import style
 from results import load, load_frames, series
-from tests.samples import DIVIDED, PUBLISHED, Case, box, parallel_bench
+from tests.samples import DIVIDED, PUBLISHED, Case, box, name, parallel_bench, row
 
 
 class Parallel(Case):
@@ -131,6 +131,14 @@ class Parallel(Case):
         self.assertIsNone(granularity.threshold(line[:1]))
         self.assertIn("more than 28.3 µs on one thread", granularity.draw(results)[0].sentence)
         self.assertEqual([f.name for f in speedup.gather(results, {})], ["scaling_step"])
+
+    def test_each_strategy_has_a_symbol_of_its_own(self):
+        data = parallel_bench()
+        data["benchmarks"] += row(name("active", 7000, 2, family=series.GRANULARITY), [30])
+        results = self.read_bench(data, lambda row: row["name"].startswith(series.GRANULARITY))
+        (picture,) = granularity.draw(results)
+        symbols = {line.get_marker() for line in picture.figure.axes[0].lines} - {"None", "_", "|", ""}
+        self.assertEqual(symbols, {style.look("cells")[1], style.look("active")[1]})
 
     # Whole runs.
 

@@ -46,6 +46,9 @@ def interface_flow(function):
     Explicit integrators limit the step of a flow that smooths: for the velocity -curvature *
     normal, dt * 4 / l**2 must be below 2, with l the shortest edge. `curvature_flow` has no limit.
 
+    Normals and curvatures are 0 at junctions, so a velocity made of these alone leaves each junction where
+    it is: `interface.arms` has the edges that pull at it.
+
     Examples
     --------
     >>> @dsc.interface_flow
