@@ -253,8 +253,8 @@ class Scripts(Case):
             self.assertIn(f"has no {missing}", done.stderr)
             self.assertIn(f"python3-{missing}", done.stderr)
         done = subprocess.run(
-            [sys.executable, "-c", "import runpy, sys; sys.modules['matplotlib'] = None; sys.argv = ['speedup.py', '--help']; "
-             "runpy.run_path('speedup.py', run_name='__main__')"],
+            [sys.executable, "-c", "import runpy, sys; sys.modules['matplotlib'] = None; "
+             "sys.argv = ['speedup.py', '--help']; runpy.run_path('speedup.py', run_name='__main__')"],
             cwd=PLOTS, env={**os.environ, "PYTHONPATH": PLOTS}, capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("speedup.py FILE.json", done.stdout)

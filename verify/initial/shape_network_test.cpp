@@ -225,5 +225,20 @@ TEST(ShapeNetwork, JunctionsTooCloseForTheMeshBecomeOne) {
     EXPECT_EQ(report.dropped, 1U);
 }
 
+// One of the two borders of a corner that reaches into the domain is too short for the mesh. The
+// other one then runs along the side.
+TEST(ShapeNetwork, ACornerThatHardlyReachesIntoTheDomainVanishes) {
+    const Point<double> tip(0.5, 0.005);
+    const std::vector<Shape> three{{{{0, -0.095}, {0.45, -0.095}, tip, {0.5, 1}, {0, 1}}, 1},
+                                   {{tip, {2.5, -0.095}, {2.5, 1}, {0.5, 1}}, 2},
+                                   {{tip, {0.45, -0.095}, {2.5, -0.095}}, 3}};
+    InputReport report;
+    const std::map<Phase, double> found = areas(three, &report);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found.at(1) + found.at(2), 1, 1e-13);
+    EXPECT_NEAR(found.at(1), 0.5, 0.0025);
+    EXPECT_EQ(report.dropped, 1U);
+}
+
 } // namespace
 } // namespace dsc::shape_network_test

@@ -164,9 +164,10 @@ def _warn_of_needles(mesh, edge_length):
     doubled = np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
     gap = (doubled / np.linalg.norm(sides, axis=2).max(axis=1)).max() / edge_length
     x, y = mesh.points[mesh.triangles[worst]].mean(axis=0)
-    warnings.warn(f"the first mesh has an angle of {angles[worst]:.2g} degrees at ({x:.4g}, {y:.4g}); if borders of shapes "
-                  f"are meant to meet there, give border_tolerance={min(max(2 * gap, 0.002), 0.1):.1g}, or twice the "
-                  "rounding of the coordinates over edge_length", stacklevel=3)
+    tolerance = min(max(2 * gap, 0.002), 0.1)
+    warnings.warn(f"the first mesh has an angle of {angles[worst]:.2g} degrees at ({x:.4g}, {y:.4g}); if borders of "
+                  f"shapes are meant to meet there, give border_tolerance={tolerance:.1g}, or twice the rounding of the "
+                  "coordinates over edge_length", stacklevel=3)
 
 
 def from_labels(array, domain=None, min_pixels=0, **options):
@@ -191,9 +192,10 @@ def _warn_of_grey(labels):
     phases = len(np.unique(labels))
     thin = phases - len(np.unique(labels[is_inner]))
     if thin > few and 2 * thin > phases:
-        warnings.warn(f"{thin} of {phases} phases have no pixel whose neighbours have the same phase, as the grey values "
-                      "along the borders of an anti-aliased picture: from_labels takes each value as a phase; give numbers of "
-                      "phases, such as np.where(picture > 127, 1, 0), or merge small grains by min_pixels", stacklevel=3)
+        warnings.warn(f"{thin} of {phases} phases have no pixel whose neighbours have the same phase, as the grey "
+                      "values along the borders of an anti-aliased picture: from_labels takes each value as a phase; "
+                      "give numbers of phases, such as np.where(picture > 127, 1, 0), or merge small grains by "
+                      "min_pixels", stacklevel=3)
 
 
 from_labels.__doc__ = f"""Makes the mesh of an image whose pixels are numbers of phases.

@@ -184,6 +184,7 @@ private:
         });
         for (const std::uint32_t line : kept.lines) {
             join_with_twin(line, kept.lines);
+            drop_along_side(line);
             if (is_gone_[line] == 0) {
                 offer(line);
             }
@@ -221,6 +222,17 @@ private:
         }
         ++report_.dropped;
         report_.area_dropped += std::abs(doubled_area) / 2;
+    }
+
+    // Drops an edge that has come to lie along a side of the rectangle: the corner of a shape that
+    // reached into the domain there has vanished.
+    void drop_along_side(std::uint32_t line) {
+        const Points& points = lines_[line].given;
+        if (is_gone_[line] == 0 && points.size() == 2 &&
+            is_along_side(lattice_, points[0], points[1])) {
+            is_gone_[line] = 1;
+            ++report_.dropped;
+        }
     }
 
     // Merges two edges between the same junctions, whose region in between has vanished, into one,
