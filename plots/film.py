@@ -72,7 +72,10 @@ def section(out):
     path = out / OF_REPORT
     if not path.is_file():
         return ""
-    return (f'<figure><img alt="Thirty bubbles rise and merge" src="{page.inline(path.read_bytes())}">'
+    with Image.open(path) as picture:
+        width = picture.width  # a film that is scaled up is blurred
+    return (f'<figure><img alt="Thirty bubbles rise and merge" style="max-width:{width}px" '
+            f'src="{page.inline(path.read_bytes())}">'
             "<figcaption>The scene bubbles: the speed as a colour, brighter where it is faster, and "
             "the interface in white. Times are in units of the scene.</figcaption></figure>\n")
 
