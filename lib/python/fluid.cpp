@@ -4,7 +4,6 @@
 #include "python/flows.h"
 #include "python/module.h"
 
-#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -20,8 +19,8 @@ namespace {
 using Phases = std::vector<std::tuple<Phase, double, double, bool>>;
 // (phase, other phase, tension, contact angle)
 using Tensions = std::vector<std::tuple<Phase, Phase, double, std::optional<double>>>;
-// Whether the fluid slips along the left, right, bottom and top side.
-using Slip = std::array<bool, 5>;
+// (name, kind, function of x, y and the time that returns a speed or a velocity, or None)
+using Sides = std::vector<std::tuple<std::string, std::string, py::object>>;
 
 class FlowingFluid : public AnyFlow {
 public:
@@ -51,6 +50,11 @@ public:
     [[nodiscard]] std::pair<double, double> mean_velocity(Phase phase) const {
         const Point<double> mean = dsc::mean_velocity(fluid_.field(), phase);
         return {mean.x(), mean.y()};
+    }
+
+    [[nodiscard]] std::pair<double, double> force_on(const std::string& side) const {
+        const Point<double> force = fluid_.force_on(side);
+        return {force.x(), force.y()};
     }
 
     [[nodiscard]] py::bytes state() {
@@ -85,9 +89,38 @@ private:
     std::uint64_t revision_; ///< revision of the mesh at the last solution
 };
 
+FluidSide side_of(const std::string& name, const std::string& kind, const py::object& function) {
+    FluidSide side{.name = name,
+                   .wall = kind == "slip"   ? Wall::slip
+                           : kind == "open" ? Wall::open
+                                            : Wall::no_slip};
+    if (function.is_none()) {
+        return side;
+    }
+    // May be called while others run.
+    const auto call = [shared = share(function)]<class Result>(const Point<double>& p, double time,
+                                                               Result /*type*/) {
+        const py::gil_scoped_acquire gil;
+        return (*shared)(p.x(), p.y(), time).template cast<Result>();
+    };
+    if (kind == "inflow") {
+        side.inflow = [call](const Point<double>& p, double time) {
+            return call(p, time, double());
+        };
+    } else {
+        side.velocity = [call](const Point<double>& p, double time) {
+            const auto [x, y] = call(p, time, std::pair<double, double>());
+            return Point<double>(x, y);
+        };
+    }
+    return side;
+}
+
+// `edges`: from and to of each edge of the domain, of which `names` has the sides.
 std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const Phases& phases,
                                        const Tensions& tensions,
-                                       const std::pair<double, double>& gravity, const Slip& slip,
+                                       const std::pair<double, double>& gravity, const Sides& sides,
+                                       const Points& edges, const std::vector<std::string>& names,
                                        bool has_inertia, double tolerance, std::uint32_t threads) {
     FluidOptions options{.tolerance = tolerance, .threads = threads};
     for (const auto& [phase, density, viscosity, is_void] : phases) {
@@ -97,9 +130,12 @@ std::unique_ptr<FlowingFluid> fluid_of(const std::shared_ptr<Mesh>& mesh, const 
         options.tensions.push_back(
             {one, other, tension, angle.value_or(FluidTension().contact_angle)});
     }
-    const auto wall = [&](std::size_t side) { return slip[side] ? Wall::slip : Wall::no_slip; };
-    options.walls = {
-        .left = wall(0), .right = wall(1), .bottom = wall(2), .top = wall(3), .other = wall(4)};
+    for (const auto& [name, kind, function] : sides) {
+        options.sides.push_back(side_of(name, kind, function));
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        options.domain_edges.push_back({edges.at(2 * i), edges.at(2 * i + 1), names[i]});
+    }
     options.gravity = {gravity.first, gravity.second};
     options.equations = has_inertia ? FluidEquations::navier_stokes : FluidEquations::stokes;
     return std::make_unique<FlowingFluid>(mesh, options);
@@ -121,6 +157,10 @@ void add_fluid(py::module_& module) {
                                "The energies: a dict of `kinetic`, `potential` and `surface`.")
         .def("_state", &FlowingFluid::state)
         .def("_restore", &FlowingFluid::restore)
+        .def(
+            "force_on", &FlowingFluid::force_on, "side"_a,
+            "The force of the fluid on a side, (x, y): drag and lift; 0 before the first step with "
+            "inertia.")
         .def("mean_velocity", &FlowingFluid::mean_velocity, "phase"_a,
              "The mean velocity of a phase: (x, y).");
 }

@@ -58,6 +58,50 @@ class Fluids(unittest.TestCase):
             np.testing.assert_array_equal(one.velocities, fluid.velocities)
             np.testing.assert_array_equal(one.pressures, fluid.pressures)
 
+    def test_sides_have_names_inflows_and_forces(self):
+        corners = np.array([(0, 0), (2, 1), (1.5, 2), (-.5, 1)])  # a rectangle that is turned
+        mesh = dsc.initial_complex([corners, disc((.8, 1), .2, 24)], edge_length=.2,
+                                   sides=[["wall", "outlet", "wall", "inlet"], "body"])
+        self.assertEqual({name: len(edges) for name, edges in mesh.sides.items()},
+                         {"wall": 2, "outlet": 1, "inlet": 1, "body": 24})
+        np.testing.assert_array_equal(mesh.sides["outlet"], [[(2, 1), (1.5, 2)]])
+        for one in (mesh.copy(), pickle.loads(pickle.dumps(mesh))):
+            np.testing.assert_array_equal(one.sides["inlet"], mesh.sides["inlet"])
+        sim = dsc.Simulation(mesh, edge_length=.2)
+        along = np.array((2, 1)) / 5 ** .5
+        fluid = dsc.Fluid(sim, {0: (1, 1)}, {}, inflow={"inlet": 2}, slip={"wall", "body"}, open="outlet",
+                          inertia=False)
+        on_inlet = np.abs(mesh.points @ along) < 1e-9
+        self.assertGreater(on_inlet.sum(), 5)
+        np.testing.assert_allclose(fluid.velocities[on_inlet], np.tile(2 * along, (on_inlet.sum(), 1)), atol=1e-12)
+        self.assertGreater(np.dot(fluid.force_on("body"), along), .1)
+        self.assertEqual(fluid.force_on("outlet"), (0, 0))
+        again = copy.copy(fluid)  # numbers can be pickled
+        self.assertEqual(again.force_on("body"), fluid.force_on("body"))
+        spun = dsc.Fluid(sim, {0: (1, 1)}, {}, velocity={"body": lambda x, y, t: (1 - y, x - .8)}, inertia=False)
+        on_body = np.hypot(*(mesh.points - (.8, 1)).T) < .201
+        np.testing.assert_allclose(spun.velocities[on_body], ((mesh.points - (.8, 1)) @ ((0, 1), (-1, 0)))[on_body],
+                                   atol=1e-12)
+
+    def test_a_side_has_one_condition(self):
+        sim, _ = bubble()
+        for options, words in [({"inflow": {"inlet": 1}}, "inflow: not a side of the domain: got 'inlet'; allowed: left,"),
+                               ({"slip": "left", "open": "left"}, "two conditions on one side"),
+                               ({"inflow": {"left": "x"}}, "not a number: got 'x'"),
+                               ({"open": "top", "inflow": {"left": lambda x, y, t: (x, y)}}, "not a number: got "),
+                               ({"velocity": {"left": 1}}, "not two numbers: got 1"),
+                               ({"inflow": ["left"]}, "not a dict"),
+                               ({"inflow": {"left": 1}}, "more flows into the domain than out of it")]:
+            with self.assertRaisesRegex(dsc.InputError, words):
+                dsc.Fluid(sim, {0: (1, 1), 1: (1, 1)}, {(0, 1): 0}, inertia=False, **options)
+        outline = [(0, 0), (1, 0), (0, 1)]
+        for domain, sides, words in [(outline, ["a", "b"], "2 for 1 rings"),
+                                     (outline, [["a", "b"]], "2 names for 3 edges"),
+                                     (outline, [3], "not a name of a side: got 3"),
+                                     (((0, 0), (1, 1)), "a", "names for the sides of a rectangle")]:
+            with self.assertRaisesRegex(dsc.InputError, words):
+                dsc.initial_complex(domain, sides=sides, edge_length=.2)
+
     def test_a_copy_has_no_flow_in_a_mesh_that_has_changed(self):
         sim, fluid = bubble()
         fluid.step(0.01)

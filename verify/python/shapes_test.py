@@ -179,6 +179,16 @@ class Meshio(unittest.TestCase):
         data = {"phase": [[0], [1], [1]], "other": [[0], [2], [2]]}
         self.assertEqual(dsc.from_meshio(self.given(cell_data=data), "other").areas, {2: 1})
 
+    def test_lines_of_a_group_are_sides(self):
+        lines = ("line", np.array([[1, 0], [0, 3], [0, 2]]))  # the last one is no edge of the boundary
+        cells = [("vertex", np.array([[0]])), lines, *self.given().cells[1:]]
+        data = {"gmsh:physical": [np.array([1]), np.array([9, 7, 9]), np.array([3]), np.array([4])]}
+        mesh = dsc.from_meshio(self.given(cells=cells, cell_data=data, field_data={"inlet": np.array([9, 1])}))
+        self.assertEqual({name: edges.tolist() for name, edges in mesh.sides.items()},
+                         {"inlet": [[[0, 0], [1, 0]]], "7": [[[0, 0], [0, 1]]]})
+        with self.assertRaisesRegex(dsc.InputError, "not an edge of the boundary of the triangles"):
+            dsc.Mesh(mesh.points, mesh.triangles, mesh.phases, sides={"diagonal": [[0, 2]]})
+
     def test_there_and_back(self):
         mesh = dsc.initial_complex(DOMAIN, {2: disc()}, edge_length=H)
         cells = [type("Block", (), {"type": "triangle", "data": mesh.triangles})]

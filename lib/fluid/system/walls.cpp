@@ -156,9 +156,16 @@ WallNode slipping(std::uint32_t node, const AtNode& at, const MeshSnapshot& mesh
     return {.node = node, .first = way.normalized(), .held = {false, true}};
 }
 
+bool is_of_box(const std::string& name) {
+    return name == "left" || name == "right" || name == "bottom" || name == "top" ||
+           name == "other";
+}
+
 void check_sides_exist(const std::vector<WallEdge>& edges, const std::vector<FluidSide>& sides) {
     for (std::uint32_t k = 0; k < sides.size(); ++k) {
-        if (std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
+        const bool may_be_missing =
+            is_of_box(sides[k].name) && !sides[k].velocity && !sides[k].inflow;
+        if (!may_be_missing && std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
             throw InputError({.what = "no edge of the domain is on a side that has a condition",
                               .where = "FluidOptions::sides",
                               .value = "side '" + sides[k].name + "'",

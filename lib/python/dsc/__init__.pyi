@@ -101,7 +101,15 @@ class Figures(TypedDict):
     lengths: dict[tuple[int, int], float]
 
 class Mesh:
-    def __init__(self, points: ArrayLike, triangles: ArrayLike, phases: ArrayLike) -> None: ...
+    def __init__(
+        self,
+        points: ArrayLike,
+        triangles: ArrayLike,
+        phases: ArrayLike,
+        sides: Mapping[str, ArrayLike] | None = None,
+    ) -> None: ...
+    @property
+    def sides(self) -> dict[str, Floats]: ...
     @property
     def points(self) -> Floats: ...
     @property
@@ -255,7 +263,6 @@ class Simulation(Generic[_AnyMesh]):
     @property
     def interface_size(self) -> int: ...
 
-Side = Literal["left", "right", "bottom", "top", "other"]
 
 class Fluid:
     def __init__(
@@ -265,7 +272,10 @@ class Fluid:
         tensions: Mapping[tuple[int, int], float | tuple[float, float]],
         *,
         gravity: ArrayLike = (0, 0),
-        slip: Side | Collection[Side] = (),
+        slip: str | Collection[str] = (),
+        open: str | Collection[str] = (),
+        inflow: Mapping[str, float | Callable[[float, float, float], float]] | None = None,
+        velocity: Mapping[str, ArrayLike | Callable[[float, float, float], ArrayLike]] | None = None,
         inertia: bool = True,
         tolerance: float = 0,
         threads: int = 1,
@@ -279,6 +289,7 @@ class Fluid:
     def pressures(self) -> Floats: ...
     @property
     def energies(self) -> dict[str, float]: ...
+    def force_on(self, side: str) -> tuple[float, float]: ...
     def mean_velocity(self, phase: int) -> tuple[float, float]: ...
     @property
     def simulation(self) -> Simulation[Mesh]: ...
@@ -309,6 +320,7 @@ def initial_complex(  # type: ignore[misc]  # corners of three coordinates are f
     shapes: Mapping[int, Any] | Any | None = None,
     *,
     curves: Sequence[tuple[ArrayLike, int, int]] | None = None,
+    sides: str | Sequence[str | Sequence[str | None] | None] | None = None,
     edge_length: float,
     growth: float = 0,
     longest: float = 0,
@@ -327,6 +339,7 @@ def initial_complex(
     shapes: Mapping[int, Solid | Sequence[Solid]] | Sequence[tuple[Solid, int | Mapping[int, int]]] | None = None,
     *,
     curves: None = None,
+    sides: None = None,
     edge_length: float,
     growth: float = 0.7,
     improve_rounds: int = 4,

@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 from . import _dsc, arrays, interplay
+from . import sides as sides_of
 from .data import Data
 from .mesh3 import Mesh3
 from .records import Curve, InputReport
@@ -26,9 +27,11 @@ class Mesh(_dsc.Mesh):
     triangles : (m, 3) array_like of int
         Rows of `points`, in either orientation. An edge has at most two triangles.
     phases : (m,) array_like of int
+    sides : dict, optional
+        The edges of each side of the domain: `{name: (k, 2) rows of points}`.
     """
 
-    def __init__(self, points, triangles, phases):
+    def __init__(self, points, triangles, phases, sides=None):
         """Makes a mesh from arrays; `initial_complex` makes a mesh from shapes."""
         triangles = arrays.whole_numbers(triangles, "triangles", "(m, 3)", 2)
         phases = arrays.whole_numbers(phases, "phases", "(m,)", 1)
@@ -36,18 +39,21 @@ class Mesh(_dsc.Mesh):
             arrays.refuse("arrays whose shapes do not match", "Mesh",
                           f"triangles of the shape {triangles.shape} and {len(phases)} phases",
                           "triangles (m, 3) and phases (m,)")
-        super().__init__(arrays.flat_points(points, "points"), triangles, phases)
+        points = arrays.flat_points(points, "points")
+        super().__init__(points, triangles, phases)
+        self._sides = sides_of.of_triangles(points, triangles, sides)
 
     @classmethod
-    def _made_of(cls, *parts):
+    def _made_of(cls, *parts, sides=None):
         """Makes a mesh by another constructor of the compiled part."""
         mesh = cls.__new__(cls)
         _dsc.Mesh.__init__(mesh, *parts)
+        mesh._sides = sides or sides_of.none()
         return mesh
 
     def copy(self):
         """An independent copy."""
-        return self._made_of(self)
+        return self._made_of(self, sides=self._sides)
 
     __copy__ = copy
 
@@ -55,7 +61,7 @@ class Mesh(_dsc.Mesh):
         return self.copy()
 
     def __reduce__(self):
-        return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data)),)
+        return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data), self._sides),)
 
     def __repr__(self):
         return (f"<dsc.Mesh: {len(self.triangles)} triangles, {len(self.points)} vertices, "
@@ -77,6 +83,11 @@ class Mesh(_dsc.Mesh):
     def triangle_data(self):
         """The data of triangles: a `Data`."""
         return Data(self, "triangle")
+
+    @property
+    def sides(self):
+        """The straight edges (k, 2, 2) of each side of the domain that has a name, as given: a dict."""
+        return sides_of.by_name(self._sides)
 
     @property
     def areas(self):
@@ -115,8 +126,8 @@ class Mesh(_dsc.Mesh):
 
 
 def _mesh_from(state):
-    complex_bytes, vertex_data, triangle_data = unsealed(state, "mesh")
-    mesh = Mesh._made_of(complex_bytes)
+    complex_bytes, vertex_data, triangle_data, sides = unsealed(state, "mesh")
+    mesh = Mesh._made_of(complex_bytes, sides=sides)
     mesh.vertex_data.update(vertex_data)
     mesh.triangle_data.update(triangle_data)
     return mesh
@@ -131,10 +142,11 @@ def _curve(value, where):
     return arrays.flat_points(points, where), arrays.phase(left, where), arrays.phase(right, where)
 
 
-def initial_complex(domain, shapes=None, *, curves=None, **options):
+def initial_complex(domain, shapes=None, *, curves=None, sides=None, **options):
     if is_in_space(domain, shapes):
-        if curves is not None:
-            arrays.refuse("curves in a domain in space", "initial_complex", "curves", "shapes")
+        for name, value in (("curves", curves), ("sides", sides)):
+            if value is not None:
+                arrays.refuse(f"{name} in a domain in space", "initial_complex", name, "shapes")
         return Mesh3._made_of(arrays.points(domain, "domain", 2, 3), shapes_of(shapes), options)
     rings = [ring for _, outline, holes in arrays.polygons(domain, "domain") for ring in (outline, *holes)]
     if not rings or min(map(len, rings)) < (2 if len(rings) == 1 else 3):
@@ -146,7 +158,7 @@ def initial_complex(domain, shapes=None, *, curves=None, **options):
         arrays.refuse("both shapes and curves are given", "initial_complex", "both", "either")
     if curves is not None:
         pieces = [_curve(one, f"curves[{k}]") for k, one in enumerate(curves)]
-    mesh = Mesh._made_of(rings, pieces, options)
+    mesh = Mesh._made_of(rings, pieces, options, sides=sides_of.of_rings(rings, sides))
     if shapes is not None:
         _warn_of_needles(mesh, options["edge_length"])
     return mesh
@@ -244,6 +256,9 @@ shapes : dict, or an object with a __geo_interface__; optional
     called for one point at a time.
 curves : sequence of (points, left, right), optional
     Instead of shapes: curves from junction to junction with the phases on both sides. Not in space.
+sides : list, optional
+    Names of the sides of a polygon, for `Fluid`: for each ring a name, a list with a name for each edge
+    (that from the first point to the second is the first), or None. Not in space.
 **options
     The following ones in the plane.
 {_dsc.size_help}

@@ -5,6 +5,7 @@ import numpy as np
 from . import arrays
 from .mesh import Mesh
 from .mesh3 import Mesh3
+from .sides import boundary_of
 
 
 def from_meshio(mesh, phases=None):
@@ -15,7 +16,8 @@ def from_meshio(mesh, phases=None):
     ----------
     mesh : meshio.Mesh
         Cells without area are ignored; other cells must be triangles. Points may have a third
-        coordinate if it is constant. If there are tets, cells without volume are ignored.
+        coordinate if it is constant. If there are tets, cells without volume are ignored. Lines on the
+        boundary that have a physical group are sides with its name, for `Fluid`, or with its number.
     phases : str, optional
         The name of the cell data with the phases. By default the first existing one of `phase`,
         `gmsh:physical`, `medit:ref` and `gmsh:geometrical`; without any, all cells have phase 1.
@@ -54,4 +56,23 @@ def from_meshio(mesh, phases=None):
     points = np.ma.asarray(mesh.points)[used]
     if in_space:
         return Mesh3(points, rows.reshape(-1, 4), numbers)
-    return Mesh(arrays.flat_points(points, "points"), rows.reshape(-1, 3), numbers)
+    corners = rows.reshape(-1, 3)
+    return Mesh(arrays.flat_points(points, "points"), corners, numbers, _sides(mesh, blocks, data, used, corners))
+
+
+def _sides(mesh, blocks, data, used, corners):
+    """The edges of each physical group of lines, as far as they lie on the boundary of the triangles."""
+    groups = data.get("gmsh:physical")
+    names = {int(tag): name for name, (tag, dimension) in getattr(mesh, "field_data", {}).items() if dimension == 1}
+    sides = {}
+    for k, (kind, cells) in enumerate(blocks):
+        if kind.startswith("line") and groups is not None:
+            ends = np.asarray(cells)[:, :2]
+            rows = np.minimum(np.searchsorted(used, ends), len(used) - 1)
+            rows[(used[rows] != ends).any(axis=1)] = 0  # not of the triangles: no edge joins a point to itself
+            for row, tag in zip(np.sort(rows, axis=1).tolist(), groups[k]):
+                if tag:
+                    sides.setdefault(names.get(int(tag), str(int(tag))), []).append(row)
+    boundary = boundary_of(corners) if sides else set()
+    found = {name: [row for row in rows if tuple(row) in boundary] for name, rows in sides.items()}
+    return {name: np.array(rows) for name, rows in found.items() if rows}

@@ -99,6 +99,11 @@ std::string read_name(const TableReader& top) {
 }
 
 Rectangle read_domain(const TableReader& reader) {
+    if (reader.has("mesh")) {
+        reader.refuse("mesh",
+                      "scene files do not read meshes, because a scene makes its mesh for any h",
+                      "an outline; or in Python dsc.from_meshio(meshio.read(FILE))");
+    }
     reader.allow({"low", "high", "clamped"});
     const Rectangle domain{reader.point_or({0, 0}, "low"), reader.point_or({1, 1}, "high")};
     const Point<double> size = domain.high - domain.low;

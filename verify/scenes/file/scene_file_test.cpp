@@ -230,6 +230,7 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
          {"s.toml:6", "velocity", "two formulas"}},
         {options + "[fluid]\nwalls = { left = { inflow = 'x', velocity = ['x', 'y'] } }\n",
          {"s.toml:6", "inflow and velocity"}},
+        {options + "[domain]\nmesh = 'a.msh'\n", {"s.toml:6", "a.msh", "dsc.from_meshio"}},
         {options + "[domain]\noutline = { radius = 2 }\n", {"s.toml:6", "outline", "radius"}},
         {options +
              "[domain]\noutline = { points = [[0, 0], [1, 0], [0, 1]], sides = ['a', 'b'] }\n",
