@@ -106,6 +106,37 @@ public:
         }
     }
 
+    // Where a curve flows out, it ends where its last edge crosses the side, and the vertex before
+    // stays inside, to be removed once the edge is short.
+    void cut_at_outlets(const InterfaceView<double>& view, std::span<Point<double>> targets) const {
+        constexpr double shortest = 0.05; // of the edge
+        for (std::size_t k = 0; k < view.junctions.size() && !inflows_.empty(); ++k) {
+            const std::uint32_t end = view.junctions[k];
+            std::uint32_t last = no_id;
+            for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
+                const InterfaceArm& arm = view.arms[a];
+                if (arm.left != border_phase && arm.right != border_phase) {
+                    last = last == no_id ? arm.neighbour : end; // or several curves end here
+                }
+            }
+            if (!view.is_on_boundary(end) || last == no_id || last == end) {
+                continue;
+            }
+            const auto [from, to] = beside(view.complex, view.vertices[end]);
+            const Point<double> inwards = turned_left((from - to).normalized());
+            const double out = -inwards.dot(targets[end] - view.positions[end]);
+            double in = inwards.dot(targets[last] - view.positions[end]);
+            const double length = (view.positions[last] - view.positions[end]).norm();
+            if (out > 1e-9 * length) {
+                if (in < shortest * length) {
+                    targets[last] += (shortest * length - in) * inwards;
+                    in = shortest * length;
+                }
+                targets[end] += out / (in + out) * (targets[last] - targets[end]);
+            }
+        }
+    }
+
     // Vertices of the boundary neither follow inflow and outflow nor leave a curved side.
     void keep_on_boundary(const InterfaceView<double>& view,
                           std::span<Point<double>> targets) const {
@@ -114,22 +145,12 @@ public:
                 continue;
             }
             const Vertex v = view.vertices[i];
-            Point<double> from(0, 0);
-            Point<double> to(0, 0);
             bool is_end = false;
             const Phase first = view.complex.phase_at(view.complex.vertices[v.id].corner);
-            const auto at = [&](Corner c) {
-                return view.complex.position(Vertex{view.complex.vertex(c)});
-            };
             for_each_corner(view.complex, v, [&](Corner c) {
                 is_end = is_end || view.complex.phase_at(c) != first;
-                if (is_border(view.complex.twin(prev(c)))) {
-                    from = at(next(c));
-                }
-                if (is_border(view.complex.twin(next(c)))) {
-                    to = at(prev(c));
-                }
             });
+            const auto [from, to] = beside(view.complex, v);
             targets[i] = slid_on_side<double>(from, view.positions[i], to, targets[i], is_end);
         }
     }
@@ -143,6 +164,20 @@ public:
     }
 
 private:
+    // The neighbours along the boundary of a vertex on it.
+    static std::array<Point<double>, 2> beside(const Complex<double>& complex, Vertex v) {
+        std::array<Point<double>, 2> both{Point<double>(0, 0), Point<double>(0, 0)};
+        for_each_corner(complex, v, [&](Corner c) {
+            if (is_border(complex.twin(prev(c)))) {
+                both[0] = complex.position(Vertex{complex.vertex(next(c))});
+            }
+            if (is_border(complex.twin(next(c)))) {
+                both[1] = complex.position(Vertex{complex.vertex(prev(c))});
+            }
+        });
+        return both;
+    }
+
     std::vector<PhaseArea> areas_;
     double start_;
     std::vector<double> inflows_;
@@ -169,6 +204,7 @@ InterfaceMotion<double> motion_in(const FluidPast& past, AreaAccount& account, b
         velocity(view.positions, time, scratch.first);
         (void)integrate(Integrator::rk4, velocity, view.positions, time, dt,
                         std::span<Point<double>>(targets), scratch);
+        account.cut_at_outlets(view, targets);
         if (is_even) {
             space_evenly(view, targets);
         }

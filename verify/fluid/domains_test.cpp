@@ -271,24 +271,69 @@ TEST(FluidDomains, SlipOnACurvedSideIsWithoutFriction) {
 // A front moves down a channel; the area of the fluid behind it grows by the inflow.
 TEST(FluidDomains, WhatFlowsInIsPartOfTheArea) {
     constexpr double h = 0.1;
-    const std::vector<Shape> behind{
-        {{turned(-9, -9), turned(0.5, -9), turned(0.5, 9), turned(-9, 9)}, 1}};
-    Complex<double> complex = mesh_of(turned_rectangle(2), h, behind);
+    for (const bool is_by_name : {false, true}) {
+        const std::vector<Shape> behind{
+            {{turned(-9, -9), turned(0.5, -9), turned(0.5, 9), turned(-9, 9)}, 1}};
+        Complex<double> complex = mesh_of(turned_rectangle(2), h, behind);
+        Simulation<double> simulation(complex, {.edge_length = h});
+        FluidOptions options;
+        options.phases = {{.phase = 0}, {.phase = 1, .density = 3}};
+        options.tensions = {{.tension = 0}};
+        options.equations = FluidEquations::stokes;
+        if (is_by_name) {
+            options.domain_edges =
+                edges_of(turned_rectangle(2), {"slippery", "outlet", "slippery", "inlet"});
+            options.sides = {
+                {.name = "slippery", .wall = Wall::slip},
+                {.name = "outlet", .wall = Wall::open},
+                {.name = "inlet", .inflow = [](const Point<double>&, double) { return 1.0; }}};
+        } else {
+            options.wall_velocity = [](const Point<double>&, double) { return turned(1, 0); };
+            options.wall_at = [](const Point<double>& middle) {
+                const Point<double> at = turned_back(middle);
+                return at.x() < 1e-9 ? Wall::no_slip : at.x() > 2 - 1e-9 ? Wall::open : Wall::slip;
+            };
+        }
+        Fluid fluid(complex, options);
+        for (int step = 0; step < 20; ++step) {
+            EXPECT_EQ(fluid.step(simulation, 0.02).moved.unreached, 0U);
+        }
+        EXPECT_NEAR(phase_area(complex, 1), 0.9, 1e-9) << "by name: " << is_by_name;
+    }
+}
+
+// A drop behind a cylinder, and a layer along the wall that flows in at one end and out at the
+// other one.
+TEST(FluidDomains, DropsKeepTheirAreaBesideInflowAndOutflow) {
+    constexpr double h = 0.1;
+    Points drop = circle(0.12, 12);
+    for (Point<double>& p : drop) {
+        p += Point<double>(1.2, 0.6);
+    }
+    const std::vector<Shape> shapes{{drop, 1}, {{{-9, -9}, {9, -9}, {9, 0.15}, {-9, 0.15}}, 2}};
+    Complex<double> complex = mesh_of(channel_with_cylinder(), h, shapes);
     Simulation<double> simulation(complex, {.edge_length = h});
     FluidOptions options;
-    options.phases = {{.phase = 0}, {.phase = 1, .density = 3}};
-    options.tensions = {{.tension = 0}};
-    options.equations = FluidEquations::stokes;
-    options.wall_velocity = [](const Point<double>&, double) { return turned(1, 0); };
-    options.wall_at = [](const Point<double>& middle) {
-        const Point<double> at = turned_back(middle);
-        return at.x() < 1e-9 ? Wall::no_slip : at.x() > 2 - 1e-9 ? Wall::open : Wall::slip;
-    };
+    options.phases = {{.phase = 0, .viscosity = 0.1},
+                      {.phase = 1, .density = 2, .viscosity = 0.3},
+                      {.phase = 2, .viscosity = 0.2}};
+    options.tensions = {{.one = 0, .other = 1, .tension = 0.5},
+                        {.one = 0, .other = 2, .tension = 0},
+                        {.one = 1, .other = 2, .tension = 0}};
+    options.sides = {
+        {.name = "left",
+         .inflow = [](const Point<double>& p, double) { return 4 * p.y() * (1 - p.y()); }},
+        {.name = "right", .wall = Wall::open}};
     Fluid fluid(complex, options);
-    for (int step = 0; step < 20; ++step) {
+    const double area = phase_area(complex, 1);
+    const double layer = phase_area(complex, 2);
+    for (int step = 0; step < 25; ++step) {
         EXPECT_EQ(fluid.step(simulation, 0.02).moved.unreached, 0U);
+        EXPECT_EQ(validate(complex).problem, "");
+        EXPECT_NEAR(phase_area(complex, 1), area, 1e-13);
     }
-    EXPECT_NEAR(phase_area(complex, 1), 0.9, 1e-9);
+    EXPECT_GT(cubic_outline(complex, 1).centroid.x(), 1.4) << "the drop moves";
+    EXPECT_NEAR(phase_area(complex, 2) / layer, 1, 0.1);
 }
 
 } // namespace
