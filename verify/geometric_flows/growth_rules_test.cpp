@@ -24,16 +24,18 @@ using test::Outline;
 const Outline small_square{{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6}, {0.4, 0.6}};
 
 // A grid over the unit square, sheared by `slant` to the right. The phase of a square is given by
-// its lower left corner before shearing; grid lines between different phases are interfaces.
+// its lower left corner before shearing; grid lines between different phases are interfaces. With
+// `taper` the square is a trapezoid, lower by that share on the right.
 template <class PhaseAt>
-Complex<double> grid(int n, double slant, PhaseAt phase_at) {
+Complex<double> grid(int n, double slant, PhaseAt phase_at, double taper = 0) {
     std::vector<Point<double>> points;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<Phase> phases;
     for (int j = 0; j <= n; ++j) {
         for (int i = 0; i <= n; ++i) {
             const double y = static_cast<double>(j) / n;
-            points.emplace_back(static_cast<double>(i) / n + slant * y, y);
+            const double x = static_cast<double>(i) / n;
+            points.emplace_back(x + slant * y, 0.5 + (y - 0.5) * (1 - taper * x));
         }
     }
     for (int j = 0; j < n; ++j) {
@@ -78,6 +80,16 @@ TEST(GrowthRules,
                     1e-12 + beyond_arc / 3)
             << slant;
     }
+}
+
+TEST(GrowthRules, EndsOfASheetThatLeansForwardAreExact) {
+    constexpr double taper = 0.5;
+    auto complex = grid(
+        50, 0, [](int i, int) { return Phase{i < 15}; }, taper);
+    GrowingShape growing(complex, 0.02, {.speeds = {{1, 0, 1.0}}});
+    EXPECT_EQ(growing.run(0, 0.1), 0U);
+    test::expect_sound(complex, growing.simulation());
+    EXPECT_NEAR(phase_area(complex, 1), 0.4 - taper * 0.4 * 0.4 / 2, 1e-12);
 }
 
 TEST(GrowthRules, AJunctionAtATipOfWhatGrowsIsNoFasterThanItsSheets) {
