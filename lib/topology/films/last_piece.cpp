@@ -283,6 +283,10 @@ private:
                                                                at(complex_.vertex(prev(c)))) > 0;
             });
             if (is_positive) {
+                // In a piece of a single triangle the vertex is on a sheet.
+                const double before = work_.swept;
+                note_sweep(work_, Vertex{v}, Vertex{}, to);
+                work_.swept = before; // the event has the area of the piece
                 rewire::move(complex_, complex_.journal, v, to.x(), to.y(), MoveReason::smoothing);
                 return;
             }
