@@ -50,11 +50,31 @@ void print_events(const std::vector<Event>& events) {
     }
 }
 
+void print_forces(const Figures& fluid) {
+    constexpr std::string_view x = "force_x_";
+    constexpr std::string_view last = "_last";
+    for (const Figure& figure : fluid) {
+        const std::string& name = figure.name;
+        if (name.starts_with(x)) {
+            const std::string side = name.substr(x.size(), name.size() - x.size() - last.size());
+            std::cout << std::setprecision(6) << "\n  force on " << side << ": "
+                      << number(fluid, name) << ", " << number(fluid, "force_y_" + side + "_last")
+                      << std::setprecision(3);
+        }
+    }
+}
+
 void print_summary(const RunResult& r) {
     std::cout << r.scene << " (" << to_string(r.strategy) << ", " << r.threads << " thread"
               << (r.threads == 1 ? "" : "s") << "): " << r.steps << " steps, " << r.triangles_last
               << " triangles, " << r.interface_vertices_last << " interface vertices\n"
-              << std::setprecision(8) << "  area ratio " << r.area_ratio << std::setprecision(3);
+              << std::setprecision(8);
+    if (std::isfinite(r.area_ratio)) {
+        std::cout << "  area ratio " << r.area_ratio;
+    } else {
+        std::cout << "  no phase to measure";
+    }
+    std::cout << std::setprecision(3);
     // NaN if the exact shape is unknown, as for networks.
     if (const double difference = number(r.last, "sd_rel"); std::isfinite(difference)) {
         std::cout << ", symmetric difference " << difference << " of the area";
@@ -64,10 +84,14 @@ void print_summary(const RunResult& r) {
     }
     print_events(r.events);
     if (!r.fluid.empty()) {
-        std::cout << "\n  largest velocity " << number(r.fluid, "largest_velocity_last")
-                  << ", area off by " << number(r.fluid, "area_drift_last") << ", solver "
-                  << number(r.fluid, "solve_s") << " s, assembly " << number(r.fluid, "assembly_s")
-                  << " s, mesh " << number(r.fluid, "dsc_s") << " s";
+        std::cout << "\n  largest velocity " << number(r.fluid, "largest_velocity_last");
+        if (const double drift = number(r.fluid, "area_drift_last"); std::isfinite(drift)) {
+            std::cout << ", area off by " << drift;
+        }
+        std::cout << ", solver " << number(r.fluid, "solve_s") << " s, assembly "
+                  << number(r.fluid, "assembly_s") << " s, mesh " << number(r.fluid, "dsc_s")
+                  << " s";
+        print_forces(r.fluid);
     }
     if (!r.diagram.empty()) {
         std::cout << "\n  against the exact diagram: wrong area "
