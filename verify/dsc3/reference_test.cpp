@@ -125,9 +125,10 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
                 const std::set<Ids> of_faces = surface_at(before, {v});
                 const bool keeps_surface =
                     std::none_of(of_faces.begin(), of_faces.end(), vanishes) && faces > 0 &&
-                    of_both.size() == faces && of_faces.size() > 3 &&
+                    of_both.size() == faces &&
                     (is_sheet(before, sides, v) ||
-                     (is_on_curve(before, sides, v, to) && is_curve(before, sides, v))) &&
+                     (of_faces.size() > 3 && is_on_curve(before, sides, v, to) &&
+                      is_curve(before, sides, v))) &&
                     std::all_of(of_v.begin(), of_v.end(), keeps_faces) &&
                     std::none_of(of_both.begin(), of_both.end(), [&](std::uint32_t x) {
                         return is_on_curve(before, sides, v, x) &&

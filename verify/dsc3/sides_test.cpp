@@ -118,19 +118,23 @@ TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
     }
 }
 
-// A foam that fills the domain, in a flow along all of its sides that turns back.
-TEST(Sides3, AFoamComesBack) {
-    const double h = is_quick ? 1.0 / 8 : 1.0 / 16;
-    constexpr int count = 6;
-    dsc::test::Random random(2);
+std::vector<Point> sites_apart(std::size_t count, double distance, std::uint64_t seed) {
+    dsc::test::Random random(seed);
     std::vector<Point> sites;
     while (sites.size() < count) {
         const Point site(random.unit(), random.unit(), random.unit());
         if (std::all_of(sites.begin(), sites.end(),
-                        [&](const Point& other) { return (site - other).norm() > 0.45; })) {
+                        [&](const Point& other) { return (site - other).norm() > distance; })) {
             sites.push_back(site);
         }
     }
+    return sites;
+}
+
+// A foam that fills the domain, in a flow along all of its sides that turns back.
+TEST(Sides3, AFoamComesBack) {
+    const double h = is_quick ? 1.0 / 8 : 1.0 / 16;
+    const std::vector<Point> sites = sites_apart(6, 0.45, 2);
     Complex complex = initial_complex({}, voronoi_cells(sites), {.edge_length = h});
     // The distance of the faces from the bisectors where they should be, integrated by the vertices
     // of four parts.
@@ -177,6 +181,16 @@ TEST(Sides3, AFoamComesBack) {
     EXPECT_EQ(count_strata(complex).point, points);
     EXPECT_LT(difference(), is_quick ? 1e-3 : 2e-4);
     EXPECT_GT(mesh_quality(complex).min_dihedral, 3);
+}
+
+// Cells of a few edges: curves and sheets run beside vertices and beside each other.
+TEST(Sides3, AFoamBeginsInACoarseMesh) {
+    const Complex complex =
+        initial_complex({}, voronoi_cells(sites_apart(24, 0.25, 1)), {.edge_length = 1.0 / 12});
+    const ValidationReport report = validate(complex);
+    ASSERT_TRUE(report.ok()) << report.problem;
+    EXPECT_EQ(report.surfaces.size(), 24U);
+    EXPECT_GT(mesh_quality(complex).min_dihedral, 1);
 }
 
 TEST(Sides3, SitesOfCellsAreFiniteAndDiffer) {

@@ -2,8 +2,8 @@
 // An attribute class of an application.
 #pragma once
 
-#include "dsc/complex/attribute.h"
 #include "dsc/base/types.h"
+#include "dsc/complex/attribute.h"
 
 #include <memory>
 #include <string>

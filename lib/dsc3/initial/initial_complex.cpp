@@ -28,6 +28,9 @@ constexpr Real junction_quality = 0.05;
 // A vertex where surfaces meet moves to its place as long as the quality of its tets stays above
 // this.
 constexpr Real junction_insertion = 0.01;
+// The farthest from a surface, in edge lengths, that a vertex may be to count as on it where no
+// edge can be cut.
+constexpr Real beside_surface = 0.1;
 // Target quality of the improvement of the first complex.
 constexpr Real start_quality = 0.35;
 
@@ -197,10 +200,11 @@ private:
                       (values_[v[i]] > 0 && values_[v[j]] < 0))) {
                     continue;
                 }
-                const Vertex made = edge_split(complex_, work_, {t, v[i], v[j]},
-                                               crossing(shape.distance, v[i], v[j]));
+                const Point place = crossing(shape.distance, v[i], v[j]);
+                const Vertex made = edge_split(complex_, work_, {t, v[i], v[j]}, place);
                 if (!made.is_valid()) {
-                    throw InvariantError("initial_complex: an edge cannot be cut");
+                    count_as_on(shape, place, v[i], v[j]);
+                    return true;
                 }
                 values_.resize(complex_.vertex_bound());
                 values_[made.id] = 0;
@@ -218,6 +222,21 @@ private:
         }
         return false;
     }
+
+    // Where the tets around an edge are too flat to be cut, the end beside the surface counts as on
+    // it, and moves there when they have become better.
+    void count_as_on(const Shape& shape, const Point& place, std::uint32_t a, std::uint32_t b) {
+        const auto off = [&](std::uint32_t v) { return (complex_.at(v) - place).norm(); };
+        const std::uint32_t nearer = off(a) <= off(b) ? a : b;
+        if (!(off(nearer) < beside_surface * options_.edge_length)) {
+            throw InvariantError("initial_complex: an edge cannot be cut");
+        }
+        values_[nearer] = 0;
+        initial::ShapeList surfaces = surfaces_.at(nearer);
+        surfaces.push_back(&shape);
+        beside_.push_back({nearer, complex_.at(nearer), std::move(surfaces)});
+    }
+
     [[nodiscard]] Point crossing(const Distance& distance, std::uint32_t a, std::uint32_t b) const {
         const Point from = complex_.at(a);
         const Point way = complex_.at(b) - from;

@@ -64,8 +64,9 @@ Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t tar
     if (edge == nullptr) {
         return Verdict::on_interface;
     }
+    const std::uint32_t fewest = stratum == Stratum::sheet ? 3 : 4; // faces, of which one remains
     if (stratum == Stratum::point || (stratum == Stratum::curve && !edge->is_on_curve()) ||
-        interface_star.size() < 4) {
+        interface_star.size() < fewest) {
         return Verdict::changes_topology;
     }
     const Point& from = complex.at(interface_star.centre);
