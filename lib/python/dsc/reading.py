@@ -63,10 +63,13 @@ def from_meshio(mesh, phases=None):
 def _sides(mesh, blocks, data, used, corners):
     """The edges of each physical group of lines, as far as they lie on the boundary of the triangles."""
     groups = data.get("gmsh:physical")
-    names = {int(tag): name for name, (tag, dimension) in getattr(mesh, "field_data", {}).items() if dimension == 1}
+    if groups is None:  # the field data of other formats are arrays of any shape
+        return {}
+    names = {int(entry[0]): name for name, entry in getattr(mesh, "field_data", {}).items()
+             if np.shape(entry) == (2,) and entry[1] == 1}
     sides = {}
     for k, (kind, cells) in enumerate(blocks):
-        if kind.startswith("line") and groups is not None:
+        if kind.startswith("line"):
             ends = np.asarray(cells)[:, :2]
             rows = np.minimum(np.searchsorted(used, ends), len(used) - 1)
             rows[(used[rows] != ends).any(axis=1)] = 0  # not of the triangles: no edge joins a point to itself
