@@ -417,7 +417,10 @@ std::vector<double> Fluid::inflows_at(const FluidPast& past, double at) const {
     const bool is_open = std::ranges::any_of(
         std::array{walls.left, walls.right, walls.bottom, walls.top, walls.other},
         [](Wall wall) { return wall == Wall::open; });
-    if (!is_open && !options_.wall_at && !options_.wall_velocity && options_.sides.empty()) {
+    const bool has_flow = std::ranges::any_of(options_.sides, [](const FluidSide& side) {
+        return side.wall == Wall::open || side.velocity || side.inflow;
+    });
+    if (!is_open && !has_flow && !options_.wall_at && !options_.wall_velocity) {
         return {};
     }
     std::vector<double> inflows = inflows_of(*past.one, areas_);
