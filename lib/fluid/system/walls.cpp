@@ -6,6 +6,7 @@
 #include "dsc/geometry/side.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -166,7 +167,7 @@ void check_sides_exist(const std::vector<WallEdge>& edges, const std::vector<Flu
         const bool may_be_missing =
             is_of_box(sides[k].name) && !sides[k].velocity && !sides[k].inflow;
         if (!may_be_missing && std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
-            throw InputError({.what = "no edge of the domain is on a side that has a condition",
+            throw InputError({.what = "no edge of the mesh's boundary is on this side",
                               .where = "FluidOptions::sides",
                               .value = "side '" + sides[k].name + "'",
                               .allowed =
@@ -194,9 +195,10 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
         all += inwards.norm() * velocity[edge.middle].norm();
     }
     if (std::abs(net) > rounding * all) {
-        throw InputError({.what = "more flows into the domain than out of it",
+        throw InputError({.what = net > 0 ? "more flows into the domain than out of it"
+                                          : "more flows out of the domain than into it",
                           .where = "FluidOptions",
-                          .value = to_text(net) + " more, of area per time",
+                          .value = to_text(std::abs(net)) + " more, of area per time",
                           .allowed = "equal inflow and outflow, or an open side"});
     }
 }
