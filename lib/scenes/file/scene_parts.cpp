@@ -126,6 +126,13 @@ std::vector<DomainOutline> read_domain_outline(const TableReader& reader) {
             one.sides = outline.is_text("sides") ? std::vector{outline.text("sides")}
                                                  : outline.texts("sides");
         }
+        // Names are parts of the names of columns.
+        if (std::ranges::any_of(one.sides, [](const std::string& name) {
+                return name.find_first_of(",\"\r\n") != std::string::npos;
+            })) {
+            outline.refuse("sides", "a name with a comma, a quotation mark or a line break",
+                           "names without these");
+        }
     }
     return outlines;
 }
