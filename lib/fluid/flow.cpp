@@ -88,11 +88,12 @@ std::vector<double> swept_by_boundary(const Complex<double>& complex,
 // The areas that phases must have after a step.
 class AreaAccount {
 public:
-    // `inflows` is empty if there is no inflow or outflow, `swept` in a rectangle.
+    // `inflows` is empty if there is no inflow or outflow, `swept` in a rectangle. The options must
+    // outlive the account.
     AreaAccount(const std::vector<PhaseArea>& before, double start, std::vector<double> inflows,
-                std::vector<double> swept)
+                std::vector<double> swept, const Rectangle& box, const FluidOptions& options)
         : areas_(before), start_(start), inflows_(std::move(inflows)), swept_(std::move(swept)),
-          has_sides_(!inflows_.empty() || !swept_.empty()) {}
+          box_(box), options_(options), has_sides_(!inflows_.empty() || !swept_.empty()) {}
 
     // Remeshing changes a curved side slightly, which is no flow of the fluid beside it; between
     // the last solution and the first sub-step only remeshing changes it.
@@ -123,6 +124,12 @@ public:
                 continue;
             }
             const auto [from, to] = beside(view.complex, view.vertices[end]);
+            const auto slips = [&](const Point<double>& neighbour) {
+                return wall_between(neighbour, view.positions[end], box_, options_) == Wall::slip;
+            };
+            if (slips(from) || slips(to)) { // the end slides along a side that may be curved
+                continue;
+            }
             const Point<double> inwards = turned_left((from - to).normalized());
             const double out = -inwards.dot(targets[end] - view.positions[end]);
             double in = inwards.dot(targets[last] - view.positions[end]);
@@ -182,6 +189,8 @@ private:
     double start_;
     std::vector<double> inflows_;
     std::vector<double> swept_;
+    Rectangle box_;
+    const FluidOptions& options_;
     bool has_sides_; // which vertices could leave
 };
 
@@ -332,7 +341,8 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
         moving_vertex = {guess.get(), one_.get()};
     }
     AreaAccount account(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
-                        swept_by_boundary(one_->mesh, areas_));
+                        swept_by_boundary(one_->mesh, areas_), one_->mesh.domain, options_);
+    (void)walls_of(one_->mesh, options_, time() + dt); // refuses a profile before anything moves
     Timer timer;
     report.moved = simulation.step(
         motion_in(moving_vertex, account, has_even_edges(simulation.options())), time(), dt);

@@ -49,6 +49,31 @@ std::string nearest_name(const std::vector<DomainEdge>& edges, const Point<doubl
     return nearest == edges.end() ? std::string() : nearest->side;
 }
 
+struct Condition {
+    Wall wall;
+    std::uint32_t side = no_id;
+};
+
+// The condition on an edge with these ends.
+Condition condition_between(const Point<double>& from, const Point<double>& to,
+                            const Point<double>& middle, const Rectangle& box,
+                            const FluidOptions& options) {
+    const auto [box_name, wall] = box_side(from, to, box, options.walls);
+    if (options.wall_at) {
+        return {options.wall_at(middle)};
+    }
+    if (options.sides.empty()) {
+        return {wall};
+    }
+    const std::string given = nearest_name(options.domain_edges, middle);
+    const auto side =
+        std::ranges::find(options.sides, given.empty() ? box_name : given, &FluidSide::name);
+    if (side != options.sides.end()) {
+        return {side->wall, static_cast<std::uint32_t>(side - options.sides.begin())};
+    }
+    return {given.empty() ? wall : Wall::no_slip};
+}
+
 std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& options) {
     std::vector<WallEdge> edges;
     for (const SnapshotTriangle& triangle : mesh.triangles) {
@@ -59,22 +84,9 @@ std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& opt
             const std::uint32_t from = triangle.nodes[next_index(i)];
             const std::uint32_t to = triangle.nodes[prev_index(i)];
             const std::uint32_t middle = triangle.nodes[3 + i];
-            const auto [box_name, wall] =
-                box_side(mesh.nodes[from], mesh.nodes[to], mesh.domain, options.walls);
-            WallEdge& edge = edges.emplace_back(WallEdge{from, to, middle, wall});
-            if (options.wall_at) {
-                edge.wall = options.wall_at(mesh.nodes[middle]);
-            } else if (!options.sides.empty()) {
-                const std::string given = nearest_name(options.domain_edges, mesh.nodes[middle]);
-                const auto side = std::ranges::find(options.sides, given.empty() ? box_name : given,
-                                                    &FluidSide::name);
-                if (side != options.sides.end()) {
-                    edge.wall = side->wall;
-                    edge.side = static_cast<std::uint32_t>(side - options.sides.begin());
-                } else if (!given.empty()) {
-                    edge.wall = Wall::no_slip;
-                }
-            }
+            const auto [wall, side] = condition_between(mesh.nodes[from], mesh.nodes[to],
+                                                        mesh.nodes[middle], mesh.domain, options);
+            edges.push_back({from, to, middle, wall, side});
         }
     }
     return edges;
@@ -204,6 +216,11 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
 }
 
 } // namespace
+
+Wall wall_between(const Point<double>& from, const Point<double>& to, const Rectangle& box,
+                  const FluidOptions& options) {
+    return condition_between(from, to, midpoint<double>(from, to), box, options).wall;
+}
 
 FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time) {
     FluidWalls walls;

@@ -29,6 +29,11 @@ struct FluidWalls {
     bool has_open = false; ///< a part of the boundary is open
 };
 
+/// The kind of the boundary between two neighbours on it, in a domain with this box around it.
+/// O(edges of the domain).
+[[nodiscard]] Wall wall_between(const Point<double>& from, const Point<double>& to,
+                                const Rectangle& box, const FluidOptions& options);
+
 /// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
 /// no edge is on a side that is named, or more flows in than out of a domain that is closed. O(n),
 /// if the edges of the domain are as many as those of the mesh's boundary.
