@@ -79,6 +79,16 @@ private:
     bool is_open_ = false;
 };
 
+/// Keeps a cache open, also until an exception ends the edits: later ones may not be reported.
+class OpenStars : public dsc::Unmovable {
+public:
+    explicit OpenStars(StarCache& stars) : stars_(stars) { stars_.open(); }
+    ~OpenStars() { stars_.close(); }
+
+private:
+    StarCache& stars_;
+};
+
 /// An edge, named by a tet that has it and its two vertices.
 struct EdgeAt {
     std::uint32_t tet = border_tet;

@@ -45,7 +45,7 @@ public:
 
     void run(const RepairLists& lists) {
         auto& unfit = lists.unfit;
-        work_.rewiring.stars.open();
+        const OpenStars opened(work_.rewiring.stars);
         work_.rewiring.changed.clear();
         const std::size_t bound = bound_factor * unfit.size() + min_bound;
         for (std::size_t k = 0; k < unfit.size() && k < bound; ++k) {
@@ -54,14 +54,13 @@ public:
             }
         }
         unfit.clear();
-        work_.rewiring.stars.close();
     }
 
     // Treats the tets of a submesh; those that it may not treat stay in its list.
     void run(SubmeshWorker& worker) {
         auto& unfit = worker.unfit;
         const Submesh& submesh = worker.submesh;
-        work_.rewiring.stars.open();
+        const OpenStars opened(work_.rewiring.stars);
         work_.rewiring.changed.clear();
         const std::size_t bound = bound_factor * unfit.size() + min_bound;
         std::size_t deferred = 0;
@@ -81,7 +80,6 @@ public:
             treat(t, {unfit, worker.unimproved});
         }
         unfit.resize(deferred);
-        work_.rewiring.stars.close();
     }
 
 private:
