@@ -53,8 +53,9 @@ struct CutTree {
     [[nodiscard]] Real distance(const Point& p) const;
 };
 
-/// An application's own division: the number of the submesh at a place. Called for every vertex, by
-/// several threads at once; must return the same number for the same place, and must not throw.
+/// An application's own division: the number of the submesh at a place. Called for every vertex,
+/// for places up to a few edge lengths outside of the domain, and for the origin, by several
+/// threads at once; must return the same number for the same place, and must not throw.
 using Partition = std::function<std::uint32_t(const Point& place)>;
 
 /// The submeshes of all vertices in all colours.
