@@ -236,7 +236,7 @@ void Simulation::transfer(dsc::Archive& archive) {
     const std::uint32_t mine = submeshes_ == nullptr ? no_id : submeshes_->kind();
     std::uint32_t kind = mine;
     archive(kind);
-    archive.expect(kind == mine, "was written with other submeshes");
+    archive.expect(kind == mine, "was written with another division or number of submeshes");
     if (submeshes_ != nullptr) {
         submeshes_->archive(archive);
     }

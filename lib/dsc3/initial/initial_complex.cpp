@@ -229,7 +229,9 @@ private:
         const auto off = [&](std::uint32_t v) { return (complex_.at(v) - place).norm(); };
         const std::uint32_t nearer = off(a) <= off(b) ? a : b;
         if (!(off(nearer) < beside_surface * options_.edge_length)) {
-            throw InvariantError("initial_complex: an edge cannot be cut");
+            throw InvariantError("initial_complex: the edge from " + to_text(complex_.at(a)) +
+                                 " to " + to_text(complex_.at(b)) + " cannot be cut at " +
+                                 to_text(place) + "; another edge length may help");
         }
         values_[nearer] = 0;
         initial::ShapeList surfaces = surfaces_.at(nearer);
