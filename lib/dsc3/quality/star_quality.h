@@ -36,6 +36,7 @@ public:
         return evaluate<false>(p, blocks_.size(), bound) > bound;
     }
     /// The tet that was the worst in the last call of `worst`, or of `worst_above` above the bound.
+    /// This, `gradient` and `mean` need faces that were gathered with no vertex left out.
     [[nodiscard]] std::uint32_t worst_tet() const;
     /// The gradient of the quality of a tet at p.
     [[nodiscard]] Point gradient(std::uint32_t tet, const Point& p) const;
@@ -64,7 +65,7 @@ private:
     std::vector<Corner> corners_; // repeated to fill whole blocks
     std::vector<Block> blocks_;
     std::size_t other_blocks_ = 0;
-    std::uint32_t size_ = 0; // tets, if none is left out
+    std::uint32_t size_ = 0; // number of tets, without the repeated ones
     Point origin_ = Point::Zero();
 };
 

@@ -264,7 +264,7 @@ void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
         mended.insert(mended.end(), work.touched.begin(), work.touched.end());
     }
     for (const Vertex v : in_order<Real>(work.complex, mended)) {
-        mend_star(work, v); // of a vertex that is alive
+        mend_star(work, v); // does nothing if the vertex has been removed from another star
     }
 }
 
