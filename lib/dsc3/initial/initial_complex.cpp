@@ -229,14 +229,19 @@ private:
         const auto off = [&](std::uint32_t v) { return (complex_.at(v) - place).norm(); };
         const std::uint32_t nearer = off(a) <= off(b) ? a : b;
         if (!(off(nearer) < beside_surface * options_.edge_length)) {
-            throw InvariantError("initial_complex: the edge from " + to_text(complex_.at(a)) +
-                                 " to " + to_text(complex_.at(b)) + " cannot be cut at " +
-                                 to_text(place) + "; another edge length may help");
+            throw InputError(
+                {.what = "an edge that a surface crosses cannot be cut",
+                 .where = "initial_complex, at " + to_text(place),
+                 .value = "an edge length of " + dsc::to_text(options_.edge_length),
+                 .allowed = "a finer mesh, or surfaces farther from each other there"});
         }
         values_[nearer] = 0;
-        initial::ShapeList surfaces = surfaces_.at(nearer);
-        surfaces.push_back(&shape);
-        beside_.push_back({nearer, complex_.at(nearer), std::move(surfaces)});
+        auto known = std::find_if(beside_.begin(), beside_.end(),
+                                  [&](const Beside& each) { return each.vertex == nearer; });
+        if (known == beside_.end()) {
+            known = beside_.insert(known, {nearer, complex_.at(nearer), surfaces_.at(nearer)});
+        }
+        known->surfaces.push_back(&shape);
     }
 
     [[nodiscard]] Point crossing(const Distance& distance, std::uint32_t a, std::uint32_t b) const {
