@@ -39,10 +39,9 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     meet_fronts(work);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
-    const std::size_t touched_by_films = work.touched.size();
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
-    split_touched(work, touched_by_films);
+    split_touched(work);
     return give_back(work);
 }
 

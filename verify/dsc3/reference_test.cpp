@@ -126,7 +126,8 @@ TEST(Reference3, CollapsesAreLegalWhereWhatTheyLeaveIsAComplex) {
                 const bool keeps_surface =
                     std::none_of(of_faces.begin(), of_faces.end(), vanishes) && faces > 0 &&
                     of_both.size() == faces &&
-                    (is_sheet(before, sides, v) ||
+                    ((is_sheet(before, sides, v) &&
+                      (of_faces.size() > 3 || !is_sheet(before, sides, to))) ||
                      (of_faces.size() > 3 && is_on_curve(before, sides, v, to) &&
                       is_curve(before, sides, v))) &&
                     std::all_of(of_v.begin(), of_v.end(), keeps_faces) &&

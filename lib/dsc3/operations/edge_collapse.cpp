@@ -64,9 +64,9 @@ Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t tar
     if (edge == nullptr) {
         return Verdict::on_interface;
     }
-    const std::uint32_t fewest = stratum == Stratum::sheet ? 3 : 4; // faces, of which one remains
+    const bool is_least = interface_star.size() < 4;
     if (stratum == Stratum::point || (stratum == Stratum::curve && !edge->is_on_curve()) ||
-        interface_star.size() < fewest) {
+        (is_least && stratum != Stratum::sheet)) {
         return Verdict::changes_topology;
     }
     const Point& from = complex.at(interface_star.centre);
@@ -91,7 +91,9 @@ Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t tar
     }
     gather(complex, target, work.other);
     gather(complex, work.other, work.other_interface_star);
-    classify(work.other_interface_star);
+    if (classify(work.other_interface_star) == Stratum::sheet && is_least) {
+        return Verdict::changes_topology; // beside a curve or a point, nothing else could remove it
+    }
     std::uint32_t common = 0;
     for (const StarEdge& one : interface_star.edges) {
         if (const StarEdge* other = work.other_interface_star.edge_to(one.vertex)) {

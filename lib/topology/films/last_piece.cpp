@@ -183,8 +183,7 @@ private:
             }
             is_inner = is_on_boundary;
         }
-        std::erase_if(
-            inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}, Real(0)); });
+        std::erase_if(inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}); });
         if (!inner.empty()) {
             return inner.front();
         }

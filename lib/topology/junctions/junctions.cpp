@@ -19,15 +19,12 @@ constexpr double t1_length = 0.15;
 /// Bounds the rounds if splits never end; two or three rounds are normally enough.
 constexpr int max_rounds = 8;
 
-// Sorts the vertices that are alive by position, which does not depend on the division of the mesh,
-// and removes duplicates.
+// Sorts vertices by position, which does not depend on the division of the mesh, and removes
+// duplicates.
 template <class Real>
 std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Vertex> vertices) {
     std::vector<std::tuple<Real, Real, std::uint32_t>> found;
     for (const Vertex v : vertices) {
-        if (!complex.is_alive(v)) {
-            continue;
-        }
         found.emplace_back(complex.position(v).x(), complex.position(v).y(), v.id);
     }
     std::ranges::sort(found);
@@ -254,23 +251,23 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
 
 // A split changes other vertices, which may then have to be split as well.
 template <class Real>
-void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
-    std::vector<Vertex> mended(work.touched.begin() + static_cast<std::ptrdiff_t>(first_mended),
-                               work.touched.end());
+void split_touched(TopologyWork<Real>& work) {
     for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {
-        for (const Vertex v : in_order<Real>(work.complex, std::exchange(work.touched, {}))) {
+        std::vector<Vertex> touched;
+        for (const Vertex v : std::exchange(work.touched, {})) {
+            if (work.complex.is_alive(v)) {
+                touched.push_back(v);
+            }
+        }
+        for (const Vertex v : in_order<Real>(work.complex, touched)) {
             split_junction(work, v);
         }
-        mended.insert(mended.end(), work.touched.begin(), work.touched.end());
-    }
-    for (const Vertex v : in_order<Real>(work.complex, mended)) {
-        mend_star(work, v); // does nothing if the vertex has been removed from another star
     }
 }
 
 template void change_junctions(TopologyWork<double>&, std::span<const Candidate>);
 template void change_junctions(TopologyWork<float>&, std::span<const Candidate>);
-template void split_touched(TopologyWork<double>&, std::size_t);
-template void split_touched(TopologyWork<float>&, std::size_t);
+template void split_touched(TopologyWork<double>&);
+template void split_touched(TopologyWork<float>&);
 
 } // namespace dsc

@@ -24,10 +24,8 @@ template <class Real>
 void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 /// Splits vertices of relabelled triangles that have more sectors than are stable: films that
-/// opened and pieces that vanished may leave such vertices. What changes of junctions and pieces
-/// that vanished have left slender is then mended, because the step may end here: the stars of the
-/// vertices touched from number `first_mended` on. O(their degrees squared).
+/// opened and pieces that vanished may leave such vertices. O(their degrees squared).
 template <class Real>
-void split_touched(TopologyWork<Real>& work, std::size_t first_mended);
+void split_touched(TopologyWork<Real>& work);
 
 } // namespace dsc

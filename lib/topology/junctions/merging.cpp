@@ -19,20 +19,6 @@ constexpr double poor_squared = 0.0025;
 /// The largest number of vertices removed to make room.
 constexpr int max_removed = 6;
 
-// The squared quality of a triangle after the vertex at this corner is replaced by another; 1 if
-// that is a vertex of the triangle already.
-template <class Real>
-Real quality_with(const Complex<Real>& complex, Corner c, Vertex other) {
-    const std::uint32_t a = complex.vertex(next(c));
-    const std::uint32_t b = complex.vertex(prev(c));
-    if (a == other.id || b == other.id) {
-        return 1;
-    }
-    const auto at = [&](std::uint32_t id) { return complex.position(Vertex{id}); };
-    const Real its = quality<Real>(at(other.id), at(a), at(b));
-    return its > 0 ? its * its : its;
-}
-
 template <class Real>
 class Merging {
 public:
@@ -82,10 +68,22 @@ private:
             return 0;
         }
         Real worst = 1;
-        for_each_corner(complex_, gone, [&](Corner c) {
-            worst = std::min(worst, quality_with(complex_, c, kept));
-        });
+        for_each_corner(complex_, gone,
+                        [&](Corner c) { worst = std::min(worst, quality_with(c, kept)); });
         return worst;
+    }
+
+    // The squared quality of a triangle after the vertex at this corner is replaced by another; 1
+    // if that is a vertex of the triangle already.
+    Real quality_with(Corner c, Vertex other) const {
+        const std::uint32_t a = complex_.vertex(next(c));
+        const std::uint32_t b = complex_.vertex(prev(c));
+        if (a == other.id || b == other.id) {
+            return 1;
+        }
+        const auto at = [&](std::uint32_t id) { return complex_.position(Vertex{id}); };
+        const Real its = quality<Real>(at(other.id), at(a), at(b));
+        return its > 0 ? its * its : its;
     }
 
     // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
@@ -102,7 +100,7 @@ private:
             Real worst = static_cast<Real>(poor_squared);
             Corner at_worst = no_id;
             for_each_corner(complex_, gone, [&](Corner c) {
-                if (const Real its = quality_with(complex_, c, kept); its < worst) {
+                if (const Real its = quality_with(c, kept); its < worst) {
                     worst = its;
                     at_worst = c;
                 }
@@ -183,7 +181,7 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
 }
 
 template <class Real>
-bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
     Complex<Real>& complex = work.complex;
     const Corner first =
         find_corner(complex, vertex, [&](Corner c) { return is_border(complex.twin(prev(c))); });
@@ -197,16 +195,11 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_qualit
         return false;
     }
     const Submesh<Real> submesh(complex);
-    const auto collapses = [&](Corner edge, rewire::Vanishing vanishing, std::uint32_t kept) {
-        const auto is_poor = [&](Corner c) {
-            const Real after = quality_with(complex, c, Vertex{kept});
-            return !(after > min_quality);
-        };
-        return find_corner(complex, vertex, is_poor) == no_id &&
-               edge_collapse(submesh, edge, vanishing, BoundaryRule::smooth) == Verdict::legal;
+    const auto collapses = [&](Corner c, rewire::Vanishing vanishing) {
+        return edge_collapse(submesh, c, vanishing, BoundaryRule::smooth) == Verdict::legal;
     };
-    return collapses(prev(first), rewire::Vanishing::next, complex.vertex(next(first))) ||
-           collapses(next(last), rewire::Vanishing::prev, complex.vertex(prev(last)));
+    return collapses(prev(first), rewire::Vanishing::next) ||
+           collapses(next(last), rewire::Vanishing::prev);
 }
 
 template <class Real>
@@ -247,7 +240,7 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
         if (remove_inside(work, Vertex{w}, now)) {
             return true;
         }
-        return remove_on_boundary(work, Vertex{w}, now);
+        return remove_on_boundary(work, Vertex{w});
     };
     for (int round = 0; round < rounds_of_mending && complex.is_alive(v); ++round) {
         Corner worst = no_id;
@@ -265,8 +258,8 @@ void mend_star(TopologyWork<Real>& work, Vertex v) {
     }
 }
 
-template bool remove_on_boundary(TopologyWork<double>&, Vertex, double);
-template bool remove_on_boundary(TopologyWork<float>&, Vertex, float);
+template bool remove_on_boundary(TopologyWork<double>&, Vertex);
+template bool remove_on_boundary(TopologyWork<float>&, Vertex);
 template void mend_star(TopologyWork<double>&, Vertex);
 template void mend_star(TopologyWork<float>&, Vertex);
 template void note_sweep(TopologyWork<double>&, Vertex, Vertex, const Point<double>&);

@@ -28,10 +28,9 @@ template <class Real>
 bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 
 /// Collapses a vertex of the domain boundary, with one phase around it, along the boundary. Returns
-/// false if that is illegal, or would leave a triangle whose squared quality is not above
-/// `min_quality`. O(degree).
+/// false if that is illegal. O(degree).
 template <class Real>
-bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex);
 
 /// Height of a triangle over its longest edge; 0 if it is not positive.
 template <class Real>
