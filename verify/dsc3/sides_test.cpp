@@ -185,6 +185,9 @@ TEST(Sides3, AFoamComesBack) {
 
 // Cells of a few edges: curves and sheets run beside vertices and beside each other.
 TEST(Sides3, AFoamBeginsInACoarseMesh) {
+    if (is_quick) {
+        GTEST_SKIP() << "a large mesh";
+    }
     const Complex complex =
         initial_complex({}, voronoi_cells(sites_apart(24, 0.25, 1)), {.edge_length = 1.0 / 12});
     const ValidationReport report = validate(complex);
