@@ -11,7 +11,7 @@ interface is bold.
 import io
 import sys
 
-from look import script, style  # first: reports a Python without matplotlib
+from look import saving, script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib import pyplot
@@ -90,7 +90,7 @@ def main(argv=None):
         if not given.out.endswith(".webp"):
             raise load.InputFault(f"--out has '{given.out}', where names ending in .webp are allowed.")
         data, sentence = film(given.folder)
-        style.write_bytes(given.out, data)
+        saving.write_bytes(given.out, data)
         print(f"{given.out}: {sentence}")
 
     return script.attempt(words.prog, write)

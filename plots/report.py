@@ -9,7 +9,7 @@ The page says what was not run; this is not an error.
 import os
 import sys
 
-from look import script, style  # first: reports a Python without matplotlib
+from look import saving, script, style  # first: reports a Python without matplotlib
 
 import frames
 import submeshes
@@ -73,7 +73,7 @@ def build(options):
         "Deformable simplicial complexes: speed against error",
         "Accuracy and speed of moving interfaces on this machine, beside figures of the thesis and of "
         "other programs.", _head(contents.context(results)), sections)
-    style.write_bytes(os.path.join(options.out, "index.html"), text.encode("utf-8"))
+    saving.write_bytes(os.path.join(options.out, "index.html"), text.encode("utf-8"))
 
 
 def _head(context):

@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-from look import script, style  # first: reports a Python without matplotlib
+from look import saving, script, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib import pyplot
@@ -157,7 +157,7 @@ def section(out):
             "smallest dihedral angle ever", "not arrived", "CPU s", "us a vertex and sub-step"]
     picture = io.BytesIO()
     Image.open(path).convert("RGB").save(picture, format="WEBP", quality=QUALITY)
-    drawn, _ = style.for_page(style.png_bytes(curves(results)), False)
+    drawn, _ = saving.for_page(saving.png_bytes(curves(results)), False)
     return (f'<figure><img alt="A ball becomes a film and a ball again" src="{page.inline(picture.getvalue())}">'
             "<figcaption>Enright's test: a ball, the film that it becomes at half of the period, and the ball that "
             "comes back, with the triangles of the interface. Peers were measured by us or others, elsewhere."

@@ -2,6 +2,7 @@
 // Whole runs of any scene in three dimensions, and the model of more threads. The counter
 // `us_per_step` is the mean time of all steps, without the measuring between them.
 #include "context.h"
+#include "model_counters.h"
 #include "refusal.h"
 #include "space_model.h"
 #include "suites.h"
@@ -134,20 +135,8 @@ void measure_model(benchmark::State& state, const SpaceRow& row) {
         const SpaceProfile& run = found->second;
         const double start = std::max(fork_join, measured_start(run, at_work));
         const ModelTimes times = model(run, row.threads, start);
-        state.SetIterationTime(times.seconds);
-        const auto per_step = [&](double seconds) { return seconds * 1e6 / run.steps; };
-        auto& counters = state.counters;
-        counters["us_per_step"] = per_step(times.seconds);
-        counters["modelled"] = 1;
-        counters["serial_share"] = times.serial_share;
-        counters["busy_share"] = times.busy_share;
-        counters["fork_join_us"] = fork_join * 1e6; // without work
-        counters["section_start_us"] = start * 1e6;
-        // The time of one worker for everything.
-        counters["us_serial"] = per_step(times.serial);
-        counters["us_tasks"] = per_step(times.tasks);
-        counters["us_starts"] = per_step(times.starts);
-        counters["load"] = load;
+        count_model(state, times, start, fork_join, run.steps);
+        state.counters["load"] = load;
     }
 }
 

@@ -4,6 +4,7 @@
 // `strategy:sequential` to the row with `threads:n`, of the same family and size.
 #include "context.h"
 #include "memory.h"
+#include "model_counters.h"
 #include "refusal.h"
 #include "step_run.h"
 #include "suites.h"
@@ -114,21 +115,11 @@ void measure_model(benchmark::State& state, const Row& row) {
         const ModelRun run = account_of(row, at_work);
         const double start = std::max(fork_join, measured_start(run, at_work));
         const ModelTimes times = model(run, row.threads, start);
-        state.SetIterationTime(times.seconds);
+        count_model(state, times, start, fork_join, timed_steps);
         const auto per_step = [](double seconds) { return seconds * 1e6 / timed_steps; };
         auto& counters = state.counters;
-        counters["us_per_step"] = per_step(times.seconds);
-        counters["modelled"] = 1;
-        counters["serial_share"] = times.serial_share;
-        counters["busy_share"] = times.busy_share;
-        counters["fork_join_us"] = fork_join * 1e6; // without work
-        counters["section_start_us"] = start * 1e6;
         counters["bandwidth_of_one_gb_s"] = bandwidth_of_one * 1e-9;
         counters["bandwidth_of_all_gb_s"] = bandwidth_of_all * 1e-9;
-        // The time of one worker for everything.
-        counters["us_serial"] = per_step(times.serial);
-        counters["us_tasks"] = per_step(times.tasks);
-        counters["us_starts"] = per_step(times.starts);
         counters["load"] = load;
         // The parts of the time of a step, summed over submeshes.
         const ModelAccount& total = run.account;

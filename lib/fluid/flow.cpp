@@ -2,9 +2,8 @@
 #include "fluid/flow.h"
 
 #include "dsc/base/timer.h"
-#include "dsc/complex/circulate.h"
 #include "dsc/geometry/points.h"
-#include "dsc/geometry/side.h"
+#include "fluid/interface/boundary_flow.h"
 #include "fluid/interface/even_spacing.h"
 #include "fluid/solve/solve.h"
 #include "fluid/system/assembly.h"
@@ -44,181 +43,31 @@ std::vector<double> inflows_of(const FluidField& field, const std::vector<PhaseA
     return inflows;
 }
 
-// The part of each phase's area that its edges on the domain boundary sweep from the origin; none
-// in a rectangle along the axes, whose sides keep their shape exactly.
-std::vector<double> swept_by_boundary(const MeshSnapshot& mesh,
-                                      const std::vector<PhaseArea>& areas) {
-    std::vector<double> swept(areas.size(), 0);
-    bool is_box = true;
-    for (const SnapshotTriangle& triangle : mesh.triangles) {
-        const auto phase = std::ranges::find(areas, triangle.phase, &PhaseArea::phase);
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            if (triangle.across[i] == no_id) {
-                const Point<double>& from = mesh.nodes[triangle.nodes[next_index(i)]];
-                const Point<double>& to = mesh.nodes[triangle.nodes[prev_index(i)]];
-                is_box = is_box && (from.x() == to.x() || from.y() == to.y());
-                if (phase != areas.end()) {
-                    swept[static_cast<std::size_t>(phase - areas.begin())] +=
-                        cross<double>(from, to) / 2;
-                }
-            }
-        }
-    }
-    return is_box ? std::vector<double>() : swept;
-}
-
-std::vector<double> swept_by_boundary(const Complex<double>& complex,
-                                      std::span<const Vertex> interface,
-                                      const std::vector<PhaseArea>& areas) {
-    std::vector<double> swept(areas.size(), 0);
-    for (const Vertex v : interface) {
-        for_each_corner(complex, v, [&](Corner c) {
-            const auto phase = std::ranges::find(areas, complex.phase_at(c), &PhaseArea::phase);
-            if (phase != areas.end() && is_border(complex.twin(prev(c)))) {
-                swept[static_cast<std::size_t>(phase - areas.begin())] +=
-                    cross<double>(complex.position(v),
-                                  complex.position(Vertex{complex.vertex(next(c))})) /
-                    2;
-            }
-        });
-    }
-    return swept;
-}
-
-// The areas that phases must have after a step.
-class AreaAccount {
-public:
-    // `inflows` is empty if there is no inflow or outflow, `swept` in a rectangle. The options must
-    // outlive the account.
-    AreaAccount(const std::vector<PhaseArea>& before, double start, std::vector<double> inflows,
-                std::vector<double> swept, const Rectangle& box, const FluidOptions& options)
-        : areas_(before), start_(start), inflows_(std::move(inflows)), swept_(std::move(swept)),
-          box_(box), options_(options), has_sides_(!inflows_.empty() || !swept_.empty()) {}
-
-    // Remeshing changes a curved side slightly, which is no flow of the fluid beside it; between
-    // the last solution and the first sub-step only remeshing changes it.
-    void begin(const InterfaceView<double>& view, double time) {
-        if (time == start_ && !swept_.empty()) {
-            const std::vector<double> now = swept_by_boundary(view.complex, view.vertices, areas_);
-            for (std::size_t i = 0; i < now.size(); ++i) {
-                areas_[i].area += now[i] - swept_[i];
-            }
-            swept_.clear();
-        }
-    }
-
-    // Where a curve flows out, it ends where its last edge crosses the side, and the vertex before
-    // stays inside, to be removed once the edge is short.
-    void cut_at_outlets(const InterfaceView<double>& view, std::span<Point<double>> targets) const {
-        constexpr double shortest = 0.05; // of the edge
-        for (std::size_t k = 0; k < view.junctions.size() && !inflows_.empty(); ++k) {
-            const std::uint32_t end = view.junctions[k];
-            std::uint32_t last = no_id;
-            for (std::uint32_t a = view.arm_begin[k]; a < view.arm_begin[k + 1]; ++a) {
-                const InterfaceArm& arm = view.arms[a];
-                if (arm.left != border_phase && arm.right != border_phase) {
-                    last = last == no_id ? arm.neighbour : end; // or several curves end here
-                }
-            }
-            if (!view.is_on_boundary(end) || last == no_id || last == end) {
-                continue;
-            }
-            const auto [from, to] = beside(view.complex, view.vertices[end]);
-            const auto slips = [&](const Point<double>& neighbour) {
-                return wall_between(neighbour, view.positions[end], box_, options_) == Wall::slip;
-            };
-            if (slips(from) || slips(to)) { // the end slides along a side that may be curved
-                continue;
-            }
-            const Point<double> inwards = turned_left((from - to).normalized());
-            const double out = -inwards.dot(targets[end] - view.positions[end]);
-            double in = inwards.dot(targets[last] - view.positions[end]);
-            const double length = (view.positions[last] - view.positions[end]).norm();
-            if (out > 1e-9 * length) {
-                if (in < shortest * length) {
-                    targets[last] += (shortest * length - in) * inwards;
-                    in = shortest * length;
-                }
-                targets[end] += out / (in + out) * (targets[last] - targets[end]);
-            }
-        }
-    }
-
-    // Vertices of the boundary neither follow inflow and outflow nor leave a curved side.
-    void keep_on_boundary(const InterfaceView<double>& view,
-                          std::span<Point<double>> targets) const {
-        for (std::size_t i = 0; i < view.size() && has_sides_; ++i) {
-            if (!view.is_on_boundary(i)) {
-                continue;
-            }
-            const Vertex v = view.vertices[i];
-            bool is_end = false;
-            const Phase first = view.complex.phase_at(view.complex.vertices[v.id].corner);
-            for_each_corner(view.complex, v, [&](Corner c) {
-                is_end = is_end || view.complex.phase_at(c) != first;
-            });
-            const auto [from, to] = beside(view.complex, v);
-            targets[i] = slid_on_side<double>(from, view.positions[i], to, targets[i], is_end);
-        }
-    }
-
-    [[nodiscard]] std::vector<PhaseArea> at(double time) const {
-        std::vector<PhaseArea> areas = areas_;
-        for (std::size_t i = 0; i < inflows_.size(); ++i) {
-            areas[i].area += (time - start_) * inflows_[i];
-        }
-        return areas;
-    }
-
-private:
-    // The neighbours along the boundary of a vertex on it.
-    static std::array<Point<double>, 2> beside(const Complex<double>& complex, Vertex v) {
-        std::array<Point<double>, 2> both{Point<double>(0, 0), Point<double>(0, 0)};
-        for_each_corner(complex, v, [&](Corner c) {
-            if (is_border(complex.twin(prev(c)))) {
-                both[0] = complex.position(Vertex{complex.vertex(next(c))});
-            }
-            if (is_border(complex.twin(next(c)))) {
-                both[1] = complex.position(Vertex{complex.vertex(prev(c))});
-            }
-        });
-        return both;
-    }
-
-    std::vector<PhaseArea> areas_;
-    double start_;
-    std::vector<double> inflows_;
-    std::vector<double> swept_;
-    Rectangle box_;
-    const FluidOptions& options_;
-    bool has_sides_; // which vertices could leave
-};
-
 // Advects the interface with the fluid by the Runge-Kutta method of order 4, spaces its vertices
 // evenly and then restores the areas. Each search for a velocity begins at a triangle that the
 // vertex alone decides.
-InterfaceMotion<double> motion_in(const FluidPast& past, AreaAccount& account, bool is_even) {
-    return [past, &account, is_even](const InterfaceView<double>& view, double time, double dt,
-                                     std::span<Point<double>> displacements) {
+InterfaceMotion<double> motion_in(const FluidPast& past, BoundaryFlow& boundary, bool is_even) {
+    return [past, &boundary, is_even](const InterfaceView<double>& view, double time, double dt,
+                                      std::span<Point<double>> displacements) {
         const Velocity<double> velocity = [&](std::span<const Point<double>> positions, double at,
                                               std::span<Point<double>> velocities) {
             for (std::size_t i = 0; i < positions.size(); ++i) {
                 velocities[i] = extrapolated_velocity(past, positions[i], at, view.vertices[i].id);
             }
         };
-        account.begin(view, time);
+        boundary.begin(view, time);
         std::vector<Point<double>> targets(view.size());
         IntegratorScratch<double> scratch;
         scratch.first.resize(view.size());
         velocity(view.positions, time, scratch.first);
         (void)integrate(Integrator::rk4, velocity, view.positions, time, dt,
                         std::span<Point<double>>(targets), scratch);
-        account.cut_at_outlets(view, targets);
+        boundary.cut_at_outlets(view, targets);
         if (is_even) {
             space_evenly(view, targets);
         }
-        account.keep_on_boundary(view, targets);
-        hold_areas(view, account.at(time + dt), targets);
+        boundary.keep_on_boundary(view, targets);
+        hold_areas(view, boundary.areas_at(time + dt), targets);
         for (std::size_t i = 0; i < view.size(); ++i) {
             displacements[i] = targets[i] - view.positions[i];
         }
@@ -307,6 +156,7 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     fill_voids(options_.phases);
     MeshSnapshot mesh = snapshot_of(complex_);
     check_complex(mesh, options_);
+    check_sides_exist(mesh, options_);
     (void)walls_of(mesh, options_, 0);
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
@@ -340,18 +190,18 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
         guess = solution_in(one_->mesh, time() + dt, report);
         moving_vertex = {guess.get(), one_.get()};
     }
-    AreaAccount account(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
-                        swept_by_boundary(one_->mesh, areas_), one_->mesh.domain, options_);
+    BoundaryFlow boundary(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
+                          swept_by_boundary(one_->mesh, areas_), one_->mesh.domain, options_);
     (void)walls_of(one_->mesh, options_, time() + dt); // refuses a profile before anything moves
     Timer timer;
     report.moved = simulation.step(
-        motion_in(moving_vertex, account, has_even_edges(simulation.options())), time(), dt);
+        motion_in(moving_vertex, boundary, has_even_edges(simulation.options())), time(), dt);
     report.move_s = timer.lap();
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;
     } else {
         auto next = solution_in(snapshot_of(complex_), time() + dt, report);
-        areas_ = account.at(next->time);
+        areas_ = boundary.areas_at(next->time);
         report.error = error_of_motion(*next, moving_vertex, next->time - time());
         two_ = std::exchange(one_, std::move(next));
     }

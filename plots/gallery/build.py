@@ -2,7 +2,7 @@
 """Makes the runs of the table of figures, draws them, and returns one Block for each figure."""
 import colorsys
 
-from look import style  # first: reports a Python without matplotlib
+from look import saving, style  # first: reports a Python without matplotlib
 
 import numpy
 from matplotlib.colors import ListedColormap
@@ -81,9 +81,9 @@ def drawn(row, frame, window):
 
 
 def webp(fig):
-    png = style.png_bytes(fig)
+    png = saving.png_bytes(fig)
     style.plt.close(fig)
-    return style.for_page(png, is_mesh=True)[0]
+    return saving.for_page(png, is_mesh=True)[0]
 
 
 def histogram_of(block, part, program, published, _):

@@ -13,7 +13,7 @@ import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
-from look import script, style  # noqa: E402  (the folder above must be on the path first)
+from look import saving, script  # noqa: E402  (the folder above must be on the path first)
 
 import gallery  # noqa: E402
 from gallery import build, layout, runs  # noqa: E402
@@ -29,7 +29,7 @@ def write(scene, out):
         blocks, failures = build.blocks(runs.Program(scene, folder), load.read_published(PUBLISHED))
     os.makedirs(out, exist_ok=True)
     for picture in (picture for block in blocks for picture in block.pictures):
-        style.write_bytes(os.path.join(out, picture.name), picture.data)
+        saving.write_bytes(os.path.join(out, picture.name), picture.data)
     parts = [layout.block_html(block) for block in blocks]
     whole = page.document(
         "The thesis's figures, and ours", "Each figure and table of section 10 of the thesis in "
@@ -37,7 +37,7 @@ def write(scene, out):
         [(f"figure-{block.number.replace(' ', '-')}", block.number, part)
          for block, part in zip(blocks, parts)])
     for name, text in (("gallery.html", whole), (gallery.PART, "".join(parts))):
-        style.write_bytes(os.path.join(out, name), text.encode("utf-8"))
+        saving.write_bytes(os.path.join(out, name), text.encode("utf-8"))
     return failures
 
 

@@ -4,7 +4,7 @@ A file that cannot be used gives one sentence on the error stream."""
 import argparse
 import sys
 
-from look import style
+from look import saving, style
 from results.load import InputFault
 
 FORMATS = ("png", "svg", "pdf")
@@ -49,7 +49,7 @@ def main(doc, draw, argv=None, **options):
             raise InputFault(f"{given.files[0]} has nothing to draw in this picture.")
         for picture in pictures:
             name = stem if len(pictures) == 1 else f"{stem}-{picture.name}"
-            style.save(picture.figure, name, [form])
+            saving.save(picture.figure, name, [form])
             print(f"{name}.{form}: {picture.sentence}")
 
     return attempt(words.prog, draw_all)

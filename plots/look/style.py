@@ -1,15 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The common look of all pictures: palette, markers, layout bands, caption and saving.
+"""The common look of all pictures: palette, markers, layout bands, captions, numbers in words.
 
 Colours are those of Okabe and Ito ("Color universal design", 2008). Every strategy also has its own
 marker, so that no picture depends on colour alone.
 """
-import io
 import math
-import os
 import statistics
 import textwrap
-import uuid
 from dataclasses import dataclass, field
 from itertools import accumulate
 
@@ -19,7 +16,6 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.ticker import LogFormatter, LogFormatterSciNotation, LogLocator, NullLocator  # noqa: E402
-from PIL import Image  # noqa: E402  (matplotlib needs it as well)
 
 INK = "#22303A"
 MUTED = "#66737D"
@@ -47,13 +43,6 @@ SPARE = [(MUTED, ">"), (INK, "d"), (GREEN, "H"), (PURPLE, "8")]
 PHASE_FILLS = ["#EDF1F4", "#A9D3EE", "#F7D99A", "#A6DCC6", "#E6C3D6", "#F3B48F", "#C8CDD2"]
 INTERFACE = "#C24E00"
 EDGE = "#93A1AC"
-
-PNG_DPI = 120
-MESH_DPI = 160      # of pictures without a vector format
-RASTER_DPI = 220    # of images inside vector formats
-PAGE_WIDTH = 1020   # pixels of a mesh: as wide as a page
-MESH_QUALITY = 50   # of 100
-UNDATED = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}  # formats that carry a date
 
 
 @dataclass
@@ -271,79 +260,6 @@ def finish(fig, title, caption, handles=()):
              color=MUTED, linespacing=1.35)
     fig.get_layout_engine().set(rect=(0, bottom / height, 1, 1 - (bottom + top) / height),
                                 w_pad=0.08, h_pad=0.06, wspace=0.03, hspace=0.03)
-
-
-def settle(fig):
-    """Lays the figure out once for all formats, rounded to a millionth of its size: the last digits of
-    the layout's solver depend on memory addresses and would change the files."""
-    fig.draw_without_rendering()
-    fig.set_layout_engine("none")
-    for axes in fig.axes:
-        axes.set_position([round(value, 6) for value in axes.get_position(original=True).bounds])
-
-
-def png_bytes(fig, is_mesh=False):
-    buffer = io.BytesIO()
-    fig.savefig(buffer, format="png", dpi=MESH_DPI if is_mesh else PNG_DPI)
-    return buffer.getvalue()
-
-
-def for_page(png, is_mesh):
-    """(bytes, (width, height)): the picture as WebP. Flat drawings are smallest lossless and at their
-    original size; meshes of many triangles are smaller scaled and lossy."""
-    image = Image.open(io.BytesIO(png)).convert("RGB")
-    if is_mesh and image.width > PAGE_WIDTH:
-        height = round(image.height * PAGE_WIDTH / image.width)
-        image = image.resize((PAGE_WIDTH, height), Image.LANCZOS)
-    buffer = io.BytesIO()
-    image.save(buffer, format="WEBP", method=4,
-               **({"quality": MESH_QUALITY} if is_mesh else {"lossless": True}))
-    return buffer.getvalue(), image.size
-
-
-def write_bytes(path, data):
-    """Writes a file atomically: to a temporary name, which is renamed. Follows links; a device or a pipe is
-    written to directly."""
-    if os.path.exists(path) and not os.path.isfile(path):
-        with open(path, "wb") as stream:
-            stream.write(data)
-        return
-    place = os.path.realpath(path)
-    part = os.path.join(os.path.dirname(place), f"{uuid.uuid4().hex}.part")
-    try:
-        with open(part, "xb") as stream:
-            stream.write(data)
-        os.replace(part, place)
-    except OSError:
-        if os.path.exists(part):
-            os.remove(part)
-        raise
-
-
-def few_colours(png):
-    """The PNG with a palette, which has a third of the size."""
-    buffer = io.BytesIO()
-    Image.open(io.BytesIO(png)).convert("RGB").quantize(
-        256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
-            buffer, format="PNG", optimize=True)
-    return buffer.getvalue()
-
-
-def save(fig, stem, formats, is_mesh=False, shown=False):
-    """Writes the figure to stem.FORMAT for every format and closes it; returns it as PNG with all colours
-    if it is to be shown."""
-    settle(fig)
-    full = png_bytes(fig, is_mesh) if shown or "png" in formats else None
-    for form in formats:
-        if form == "png":
-            data = few_colours(full)
-        else:
-            buffer = io.BytesIO()
-            fig.savefig(buffer, format=form, dpi=RASTER_DPI, metadata=UNDATED.get(form))
-            data = buffer.getvalue()
-        write_bytes(f"{stem}.{form}", data)
-    plt.close(fig)
-    return full
 
 
 def whole(value):

@@ -4,7 +4,7 @@ import multiprocessing
 import os
 from dataclasses import dataclass, replace
 
-from look import style
+from look import saving, style
 
 
 @dataclass(frozen=True)
@@ -26,9 +26,9 @@ def _draw(index):
     result = []
     for picture in draw():
         kept = [form for form in formats if form == "png" or not picture.is_mesh]
-        png = style.save(picture.figure, os.path.join(out, picture.name), kept, picture.is_mesh,
+        png = saving.save(picture.figure, os.path.join(out, picture.name), kept, picture.is_mesh,
                          shown=True)
-        result.append(Drawn(replace(picture, figure=None), *style.for_page(png, picture.is_mesh),
+        result.append(Drawn(replace(picture, figure=None), *saving.for_page(png, picture.is_mesh),
                             tuple(f"{picture.name}.{form}" for form in kept)))
     return result
 

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 import report
-from look import style
+from look import saving, style
 from results import load
 
 PLOTS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
@@ -180,8 +180,8 @@ class Case(unittest.TestCase):
     def setUp(self):
         # The tests need no resolution.
         for name in ("PNG_DPI", "MESH_DPI"):
-            self.addCleanup(setattr, style, name, getattr(style, name))
-            setattr(style, name, 40)
+            self.addCleanup(setattr, saving, name, getattr(saving, name))
+            setattr(saving, name, 40)
         self.addCleanup(style.plt.close, "all")
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)

@@ -10,7 +10,7 @@ import frames
 import histograms
 import operations
 import step_cost
-from look import style
+from look import saving, style
 from results import load, load_frames, series
 from tests.samples import PUBLISHED, VTU, Case, bench, row, scene, verify
 from tests.test_gallery import Gallery  # noqa: F401  (the tests of these files run with these)
@@ -35,7 +35,7 @@ class Plots(Case):
         reader = os.open(self.path("pipe"), os.O_RDWR)  # waits for nobody
         self.addCleanup(os.close, reader)
         for name in ("link", "pipe"):
-            style.write_bytes(self.path(name), b"data")
+            saving.write_bytes(self.path(name), b"data")
         self.assertTrue(os.path.islink(self.path("link")))
         with open(self.path("target"), "rb") as stream:
             self.assertEqual(stream.read(), b"data")

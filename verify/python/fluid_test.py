@@ -98,6 +98,7 @@ class Fluids(unittest.TestCase):
         for domain, sides, words in [(outline, ["a", "b"], "2 for 1 rings"),
                                      (outline, [["a", "b"]], "2 names for 3 edges"),
                                      (outline, [3], "not a name of a side: got 3"),
+                                     (outline, 3, "not names of sides: got 3"),
                                      (((0, 0), (1, 1)), "a", "names for the sides of a rectangle")]:
             with self.assertRaisesRegex(dsc.InputError, words):
                 dsc.initial_complex(domain, sides=sides, edge_length=.2)

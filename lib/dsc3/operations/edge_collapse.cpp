@@ -91,8 +91,10 @@ Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t tar
     }
     gather(complex, target, work.other);
     gather(complex, work.other, work.other_interface_star);
+    // A vertex between three faces vanishes only beside a curve or a point, where nothing else
+    // could remove it.
     if (classify(work.other_interface_star) == Stratum::sheet && is_least) {
-        return Verdict::changes_topology; // beside a curve or a point, nothing else could remove it
+        return Verdict::changes_topology;
     }
     std::uint32_t common = 0;
     for (const StarEdge& one : interface_star.edges) {

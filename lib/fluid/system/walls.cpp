@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string_view>
 
 namespace dsc {
 
@@ -42,11 +43,11 @@ BoxSide box_side(const Point<double>& from, const Point<double>& to, const Recta
 }
 
 // The name of the domain's edge nearest to a place; empty if it has none.
-std::string nearest_name(const std::vector<DomainEdge>& edges, const Point<double>& place) {
+std::string_view nearest_name(const std::vector<DomainEdge>& edges, const Point<double>& place) {
     const auto nearest = std::ranges::min_element(edges, {}, [&](const DomainEdge& edge) {
         return squared_distance<double>(place, edge.from, edge.to);
     });
-    return nearest == edges.end() ? std::string() : nearest->side;
+    return nearest == edges.end() ? std::string_view() : nearest->side;
 }
 
 struct Condition {
@@ -65,7 +66,7 @@ Condition condition_between(const Point<double>& from, const Point<double>& to,
     if (options.sides.empty()) {
         return {wall};
     }
-    const std::string given = nearest_name(options.domain_edges, middle);
+    const std::string_view given = nearest_name(options.domain_edges, middle);
     const auto side =
         std::ranges::find(options.sides, given.empty() ? box_name : given, &FluidSide::name);
     if (side != options.sides.end()) {
@@ -174,21 +175,6 @@ bool is_of_box(const std::string& name) {
            name == "other";
 }
 
-void check_sides_exist(const std::vector<WallEdge>& edges, const std::vector<FluidSide>& sides) {
-    for (std::uint32_t k = 0; k < sides.size(); ++k) {
-        const bool may_be_missing =
-            is_of_box(sides[k].name) && !sides[k].velocity && !sides[k].inflow;
-        if (!may_be_missing && std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
-            throw InputError({.what = "no edge of the mesh's boundary is on this side",
-                              .where = "FluidOptions::sides",
-                              .value = "side '" + sides[k].name + "'",
-                              .allowed =
-                                  "names in FluidOptions::domain_edges; left, right, bottom, "
-                                  "top and other for the rest of the boundary"});
-        }
-    }
-}
-
 // Without an open side, what flows in has to flow out, up to rounding.
 void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
                    const MeshSnapshot& mesh) {
@@ -222,11 +208,27 @@ Wall wall_between(const Point<double>& from, const Point<double>& to, const Rect
     return condition_between(from, to, midpoint<double>(from, to), box, options).wall;
 }
 
+void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
+    const std::vector<WallEdge> edges = edges_of(mesh, options);
+    const std::vector<FluidSide>& sides = options.sides;
+    for (std::uint32_t k = 0; k < sides.size(); ++k) {
+        const bool may_be_missing =
+            is_of_box(sides[k].name) && !sides[k].velocity && !sides[k].inflow;
+        if (!may_be_missing && std::ranges::find(edges, k, &WallEdge::side) == edges.end()) {
+            throw InputError({.what = "no edge of the mesh's boundary is on this side",
+                              .where = "FluidOptions::sides",
+                              .value = "side '" + sides[k].name + "'",
+                              .allowed =
+                                  "names in FluidOptions::domain_edges; left, right, bottom, "
+                                  "top and other for the rest of the boundary"});
+        }
+    }
+}
+
 FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time) {
     FluidWalls walls;
     std::map<std::uint32_t, AtNode> at_nodes;
     const std::vector<WallEdge> edges = edges_of(mesh, options);
-    check_sides_exist(edges, options.sides);
     for (const WallEdge& edge : edges) {
         if (edge.wall == Wall::open) {
             walls.has_open = true;

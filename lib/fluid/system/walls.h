@@ -34,9 +34,13 @@ struct FluidWalls {
 [[nodiscard]] Wall wall_between(const Point<double>& from, const Point<double>& to,
                                 const Rectangle& box, const FluidOptions& options);
 
+/// Throws InputError if a side with a condition is on no edge of the mesh. To be called at the
+/// start alone: a side shorter than an edge may vanish later. O(n sides).
+void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
+
 /// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
-/// no edge is on a side that is named, or more flows in than out of a domain that is closed. O(n),
-/// if the edges of the domain are as many as those of the mesh's boundary.
+/// or more flows in than out of a domain that is closed. O(n), if the edges of the domain are as
+/// many as those of the mesh's boundary.
 [[nodiscard]] FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options,
                                   double time);
 

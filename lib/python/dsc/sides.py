@@ -17,6 +17,9 @@ def of_rings(rings, sides):
     if len(rings) == 1 and len(rings[0]) == 2:
         arrays.refuse("names for the sides of a rectangle", "sides", arrays.shown(sides),
                       "a polygon; the sides of a rectangle are left, right, bottom and top")
+    if not isinstance(sides, (str, list, tuple)):
+        arrays.refuse("not names of sides", "sides", arrays.shown(sides),
+                      "for each ring of the domain a name, a list of names or None")
     given = [sides] if isinstance(sides, str) else list(sides)
     if len(given) != len(rings):
         arrays.refuse("not one entry for each ring of the domain", "sides",

@@ -86,6 +86,9 @@ struct RunOptions {
 [[nodiscard]] RunResult run_scene(const Scene& scene, const Parameters& parameters,
                                   const RunOptions& options);
 
+/// The name of the strategy.
+[[nodiscard]] std::string strategy_of(const RunResult& result);
+
 /// The figures that limits may name, and their values; NaN if not measured. Figures whose names end
 /// in _h are in edge lengths.
 [[nodiscard]] std::map<std::string, double> figures(const RunResult& result);
