@@ -179,6 +179,10 @@ void add_rows(const SuiteCase& c, Suite& suite) {
         if (reader.has("vertex_error")) {
             reader.refuse("vertex_error", "only for scenes in three dimensions", "area_error");
         }
+        if (reader.has("stop_after")) {
+            reader.refuse("stop_after", "only for scenes in three dimensions",
+                          "set = { steps = ... }");
+        }
         const scenes::Scene scene = scenes::read_scene(reader, c.scenes[i]).scene;
         const std::string name = c.names[i].empty() ? scene.name : c.names[i];
         Workload workload{.scene = scene, .parameters = scene.defaults};

@@ -49,7 +49,8 @@ void check_keys(const CaseReader& reader, const SuiteCase& c) {
     for (const char* key : {"triangles", "dt_over_h", "area_error", "between_us", "at"}) {
         if (reader.has(key)) {
             reader.refuse(key, "not available in three dimensions",
-                          "name, h, set, strategies, threads, submeshes, vertex_error");
+                          "name, h, set, strategies, threads, submeshes, vertex_error, "
+                          "stop_after");
         }
     }
 }
@@ -61,6 +62,7 @@ std::string name_of(const SpaceRow& row, const std::string& of, bool names_subme
         name += names_submeshes ? "/submeshes:" + std::to_string(row.submeshes) : "";
         name += "/threads:" + std::to_string(row.threads);
     }
+    name += row.stop_after > 0 ? "/stop_after:" + std::to_string(row.stop_after) : "";
     return row.is_modelled ? name + "/modelled:1" : name;
 }
 
@@ -93,6 +95,9 @@ void add_rows_in_space(const SuiteCase& c, const space::SceneFile& file, const s
     scenes::read_settings(reader, "set", scene->keys, row.parameters);
     if (reader.has("vertex_error")) {
         row.vertex_error = reader.of("vertex_error").number("vertex_error", {0, 1});
+    }
+    if (reader.has("stop_after")) {
+        row.stop_after = reader.of("stop_after").integer("stop_after", 1, 1'000'000);
     }
     row.is_modelled = c.measure == Measure::model;
     for (const scenes::CaseSize& size : c.sizes) {

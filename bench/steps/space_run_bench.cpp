@@ -35,6 +35,7 @@ SpaceRun run_row(const SpaceRow& row, std::uint32_t threads) {
     scenes::space::RunOptions options;
     options.parallel = scenes::space::parallel_of(
         row.strategy, {.threads = threads, .submeshes = row.submeshes, .profile = true});
+    options.stop_after = row.stop_after;
     options.after_step = [&](const dsc3::Simulation& simulation, double wall) {
         run.profile.add(simulation.profile(), wall);
     };
@@ -65,7 +66,8 @@ void check(const RunResult& result, const SpaceRow& row) {
 // A text of all on which the mesh depends.
 std::string key_of(const SpaceRow& row) {
     return row.scene->name + scenes::text_of(row.parameters) + '/' +
-           scenes::to_string(row.strategy) + '/' + std::to_string(row.submeshes);
+           scenes::to_string(row.strategy) + '/' + std::to_string(row.submeshes) + '/' +
+           std::to_string(row.stop_after);
 }
 
 // The hash of the mesh of a run with one thread, which all runs of a parallel strategy must have;

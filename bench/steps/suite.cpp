@@ -129,7 +129,8 @@ std::vector<std::string> keys_of(Measure measure) {
     } else if (measure == Measure::result) {
         add({"strategies", "threads", "submeshes", "dt_over_h", "seeds"});
     } else {
-        add({"strategies", "threads", "submeshes", "dt_over_h", "area_error", "vertex_error"});
+        add({"strategies", "threads", "submeshes", "dt_over_h", "area_error", "vertex_error",
+             "stop_after"});
         add({measure == Measure::run ? "between_us" : "at"});
     }
     return keys;

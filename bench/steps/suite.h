@@ -31,8 +31,11 @@
 //     vertex_error = 0.1          # in three dimensions, instead of area_error: a larger root mean
 //                                 # square, in edge lengths, of the distances from the exact shape
 //
+//     stop_after = 4              # in three dimensions: only the first steps, where a whole run
+//                                 # would take hours; default: all
+//
 // Scenes in three dimensions have measure = "run" or "model", of whole runs, and the keys name, h,
-// set, strategies, threads, submeshes and vertex_error.
+// set, strategies, threads, submeshes, vertex_error and stop_after.
 //
 //     rows = [{ measure = "step" }]         # each is a separate case with its keys and those above
 //
@@ -91,6 +94,7 @@ struct SpaceRow {
     scenes::Strategy strategy = scenes::Strategy::sequential;
     std::uint32_t submeshes = 0; ///< 0: by the extent of the interface
     std::uint32_t threads = 1;
+    int stop_after = 0; ///< steps; 0: a whole run
     bool is_modelled = false;
 };
 

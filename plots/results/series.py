@@ -19,7 +19,8 @@ FAMILY_TITLES = {"scaling_step": "scaling of a circle", "four_circles_step": "fo
                  "scaling_run": "scaling of a circle", "four_circles_run": "four circles",
                  "swirl_step": "swirl", "granularity_step": "scaling of a circle, many sizes",
                  "enright_run": "flow of Enright's test", "translation-3d_run": "translation of a ball"}
-SAID = {"between_us": "{} µs between steps"}  # of other work
+SAID = {"between_us": "{} µs between steps",  # of other work
+        "stop_after": "the first {} steps"}
 MUCH = 0.25  # of all cores: measurements under a larger load are marked
 GRANULARITY = "granularity_step"  # has its own picture
 

@@ -26,7 +26,7 @@ std::vector<std::string> case_keys_of_verify() { return {"limits", "starts"}; }
 
 std::vector<std::string> case_keys_of_bench() {
     return {"measure", "submeshes", "area_error", "vertex_error", "between_us",
-            "at",      "option",    "same_mesh",  "seeds"};
+            "at",      "option",    "same_mesh",  "seeds",        "stop_after"};
 }
 
 std::vector<std::string> texts(const CaseReader& reader, const std::string& key) {
