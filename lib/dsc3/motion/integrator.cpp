@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dsc3/motion/integrator.h"
 
+#include "dsc3/complex/complex.h"
+
 #include <algorithm>
 #include <cmath>
 
