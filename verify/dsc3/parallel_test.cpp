@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -146,6 +147,9 @@ TEST(Parallel3, AProfileHasTheTimesOfAllTasks) {
         }
     }
     EXPECT_EQ(mesh_hash(run.complex), (plain.step(1), mesh_hash(plain.complex)));
+    dsc::Archive saved(plain.bytes(), "saved");
+    run.simulation.archive(saved);
+    EXPECT_TRUE(run.simulation.profile().sections.empty());
 }
 
 TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
@@ -172,6 +176,44 @@ TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
         EXPECT_THROW(other.simulation.archive(archive), FileError);
         EXPECT_EQ(other.bytes(), before);
     }
+}
+
+TEST(Parallel3, ACheckpointIsForOnePartition) {
+    const Partition halves = [](const Point& p) { return p.x() < 0.35 ? 0U : 1U; };
+    Tracked first({.partition = shells});
+    first.step(0);
+    for (const auto& [partition, is_same] : {std::pair(shells, true), std::pair(halves, false)}) {
+        Tracked other({.threads = 2, .partition = partition});
+        dsc::Archive archive(first.bytes(), "saved");
+        if (is_same) {
+            other.simulation.archive(archive);
+            EXPECT_EQ(other.bytes(), first.bytes());
+        } else {
+            EXPECT_THROW(other.simulation.archive(archive), FileError);
+        }
+    }
+}
+
+TEST(Parallel3, APartitionDividesTheDomainAndALittleAround) {
+    const Box domain{.low = {2, 2, 2}, .high = {3, 3, 3}};
+    Complex complex =
+        initial_complex(domain, {{ball({2.5, 2.5, 2.5}, 0.2), 1}}, {.edge_length = 0.1});
+    double farthest = 0;
+    const Partition partition = [&](const Point& p) {
+        farthest = std::max(farthest, (p - Point(2.5, 2.5, 2.5)).cwiseAbs().maxCoeff() - 0.5);
+        return p.x() < 2.5 ? 0U : 1U;
+    };
+    Simulation simulation(complex, {.edge_length = 0.1}, {.partition = partition});
+    const Velocity grow = [](std::span<const Point> p, double, std::span<Point> v) {
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            v[i] = p[i] - Point(2.5, 2.5, 2.5);
+        }
+    };
+    for (int k = 0; k < 4; ++k) {
+        simulation.step(grow, 0, 0.1);
+    }
+    EXPECT_GT(farthest, 0);
+    EXPECT_LT(farthest, 5 * 0.1);
 }
 
 TEST(Parallel3, WhatAVelocityThrowsComesOutOfTheStep) {

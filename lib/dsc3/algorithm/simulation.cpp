@@ -219,6 +219,9 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
 
 void Simulation::archive(dsc::Archive& archive) {
     dsc::as_a_whole(archive, [this](dsc::Archive& each) { transfer(each); });
+    if (archive.is_reading()) {
+        team_.start_profile(); // the last step was that of another state
+    }
 }
 
 void Simulation::transfer(dsc::Archive& archive) {

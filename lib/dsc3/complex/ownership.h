@@ -54,8 +54,8 @@ struct CutTree {
 };
 
 /// An application's own division: the number of the submesh at a place. Called for every vertex,
-/// for places up to a few edge lengths outside of the domain, and for the origin, by several
-/// threads at once; must return the same number for the same place, and must not throw.
+/// and for places up to a few edge lengths outside of the domain, by several threads at once; must
+/// return the same number for the same place, and must not throw.
 using Partition = std::function<std::uint32_t(const Point& place)>;
 
 /// The submeshes of all vertices in all colours.

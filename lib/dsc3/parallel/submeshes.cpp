@@ -30,8 +30,17 @@ Submeshes::Submeshes(Complex& complex, Real edge_length, const Parallel& paralle
 }
 
 std::uint32_t Submeshes::kind() const {
-    const auto division = static_cast<std::uint32_t>(parallel_.division);
-    return parallel_.submeshes + 256 * (parallel_.partition ? 255 : division);
+    if (!parallel_.partition) {
+        return parallel_.submeshes + 256 * static_cast<std::uint32_t>(parallel_.division);
+    }
+    std::uint32_t hash = 2166136261U; // FNV-1a
+    for (const VertexRecord& vertex : complex_.vertices) {
+        if ((vertex.flags & vertex_dead) == 0) {
+            hash ^= parallel_.partition(vertex.position) % ownership_.submeshes;
+            hash *= 16777619U;
+        }
+    }
+    return parallel_.submeshes + 256 * 255 + (hash & 0xFFFF0000U);
 }
 
 void Submeshes::gather_places() {
@@ -62,7 +71,7 @@ void Submeshes::divide(const std::vector<std::uint32_t>& interface) {
     label();
 }
 
-// Labels all vertices, and sets the outer bits.
+// Labels all living vertices, and sets the outer bits.
 void Submeshes::label() {
     auto& labels = ownership_.labels;
     labels.resize(complex_.vertex_bound());
@@ -70,7 +79,10 @@ void Submeshes::label() {
     team_.chunks(labels.size(), grain,
                  [&](std::uint32_t, std::size_t begin, std::size_t end, std::uint32_t) {
                      for (std::size_t v = begin; v < end; ++v) {
-                         labels[v] = ownership_.label_at(complex_.vertices[v].position);
+                         const VertexRecord& vertex = complex_.vertices[v];
+                         if ((vertex.flags & vertex_dead) == 0) {
+                             labels[v] = ownership_.label_at(vertex.position);
+                         }
                      }
                  });
     team_.chunks(

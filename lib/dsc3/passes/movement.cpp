@@ -26,14 +26,19 @@ public:
           moving_(state.moving), move_quality_(move_quality) {}
 
     void run() {
-        begin();
-        for (int layer = 0; layer < state_.options.layers; ++layer) {
-            add_layer(layer);
+        try {
+            begin();
+            for (int layer = 0; layer < state_.options.layers; ++layer) {
+                add_layer(layer);
+            }
+            list_near();
+            go();
+            roll_back();
+            end();
+        } catch (...) { // out of memory: no vertex may look as if it moved in the next pass
+            std::fill(moves_.begin(), moves_.end(), std::uint8_t{0});
+            throw;
         }
-        list_near();
-        go();
-        roll_back();
-        end();
     }
 
 private:
