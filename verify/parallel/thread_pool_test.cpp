@@ -142,6 +142,52 @@ TEST(ThreadPool, LetsWorkersUseAllCoresWhereOpenMPBindsTheCaller) {
     // Before OpenMP bound this thread, it could use the cores of the parent process.
     EXPECT_EQ(cores, cores_of(is_bound ? getppid() : 0));
 }
+
+void move_to_core(std::size_t core) {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    sched_setaffinity(0, sizeof one, &one);
+}
+
+// A step in three dimensions takes so long that the system moves the caller meanwhile.
+TEST(ThreadPool, WorkersLeaveTheCoreToWhichTheCallerWasMoved) {
+    cpu_set_t allowed;
+    ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+    std::vector<std::size_t> cores;
+    for (std::size_t core = 0; core < CPU_SETSIZE && cores.size() < 2; ++core) {
+        if (CPU_ISSET(core, &allowed)) {
+            cores.push_back(core);
+        }
+    }
+    if (cores.size() < 2 || std::getenv("OMP_PROC_BIND") != nullptr) {
+        GTEST_SKIP() << "one core, or bound to one";
+    }
+    ThreadPool pool(microseconds(1000000));
+    pool.start(2);
+    for (const std::size_t core : cores) {
+        move_to_core(core);
+        int beside = 0;
+        int on_callers_core = 0;
+        for (int section = 0; section < 300; ++section) {
+            std::atomic<int> workers_core = -1;
+            pool.run(2, [&](std::uint32_t thread) {
+                if (thread == 1) {
+                    workers_core = sched_getcpu();
+                }
+                const auto begin = std::chrono::steady_clock::now();
+                while (thread == 0 && workers_core < 0 &&
+                       std::chrono::steady_clock::now() - begin < microseconds(2000)) {
+                }
+            });
+            beside += workers_core >= 0 && workers_core != static_cast<int>(core) ? 1 : 0;
+            on_callers_core += workers_core == static_cast<int>(core) ? 1 : 0;
+            std::this_thread::sleep_for(microseconds(300));
+        }
+        EXPECT_LE(on_callers_core, beside) << "core " << core;
+    }
+    sched_setaffinity(0, sizeof allowed, &allowed);
+}
 #endif
 
 // A model of a machine on which a step with one unit of work takes `seconds(threads)`.

@@ -170,6 +170,7 @@ void ThreadPool::run(std::uint32_t threads, const std::function<void(std::uint32
         return;
     }
     const Clock::time_point begin = Clock::now();
+    callers_core_.store(current_core(), std::memory_order_relaxed); // it may have been moved
     work_ = &work;
     wanted_ = threads;
     ++section_;

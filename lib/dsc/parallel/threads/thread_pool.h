@@ -98,7 +98,7 @@ private:
     bool is_refused_ = false; ///< the system grants no more
     ThreadWork done_{.busy_s = {0.0}};
     std::atomic<bool> has_ended_ = false;
-    std::atomic<int> callers_core_ = -1; ///< at its last call of `start` or `wake`
+    std::atomic<int> callers_core_ = -1; ///< at its last call of `start`, `wake` or `run`
     // The section: written while the door is closed and nobody is inside.
     const std::function<void(std::uint32_t)>* work_ = nullptr;
     std::uint32_t wanted_ = 0;
