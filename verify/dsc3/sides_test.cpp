@@ -118,6 +118,32 @@ TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
     }
 }
 
+// What a flow carries across a side stays in front of it and is told; it never ends there.
+TEST(Sides3, AnInterfaceStaysInFrontOfASideThatItMeets) {
+    const double h = 1.0 / 12;
+    const Velocity towards_x = [](std::span<const Point> p, double, std::span<Point> v) {
+        std::fill_n(v.begin(), p.size(), Point(-1, 0, 0));
+    };
+    for (const Point& centre : {Point(0.3, 0.5, 0.5), Point(0.3, 0.5, 0), Point(0.3, 0, 0)}) {
+        Complex complex = Ball{centre}.complex(h);
+        Simulation simulation(complex, {.edge_length = h});
+        for (int k = 0; k < 8; ++k) {
+            const StepReport report = simulation.step(towards_x, 0, h / 4);
+            const double beyond = radius - centre.x() + (k + 1) * h / 4;
+            if (beyond < 0) {
+                EXPECT_EQ(report.unreached, 0U) << "step " << k;
+            } else if (beyond > h / 4) {
+                EXPECT_GT(report.unreached, 0U) << "step " << k;
+            }
+            const ValidationReport valid = validate(complex);
+            ASSERT_TRUE(valid.ok()) << valid.problem;
+            for (const std::uint32_t v : simulation.interface()) {
+                EXPECT_GT(complex.at(v).x(), 0);
+            }
+        }
+    }
+}
+
 std::vector<Point> sites_apart(std::size_t count, double distance, std::uint64_t seed) {
     dsc::test::Random random(seed);
     std::vector<Point> sites;
