@@ -181,6 +181,11 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
              .value = "a Simulation of another Complex",
              .allowed = "a Simulation of the Complex given to the constructor of Fluid"});
     }
+    if (two_ == nullptr) { // the first step; an archive of the complex has the marks
+        for (const Vertex v : ends_of_sides(snapshot_of(complex_), options_)) {
+            simulation.complex().set_boundary_feature(v, true);
+        }
+    }
     FluidStep report;
     // At the start, at rest, the velocity cannot be extrapolated: the first step moves the
     // interface by the solution in the old mesh for the end of the step.

@@ -57,6 +57,9 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
         return anywhere;
     }
     const Complex<Real>& complex = view.complex;
+    if (complex.is_boundary_feature(view.vertices[i])) {
+        return nowhere;
+    }
     Vector2 before;
     Vector2 after;
     const Vector2 here = vector_of(complex.position(view.vertices[i]));
@@ -77,7 +80,7 @@ Freedom freedom_of(const InterfaceView<Real>& view, std::size_t i) {
     const Point<double> at(here.x, here.y);
     const Point<double> from(here.x + before.x, here.y + before.y);
     const Point<double> to(here.x + after.x, here.y + after.y);
-    if (side_at<double>(from, at, to) == Side::feature) {
+    if (side_at<double>(from, at, to, false) == Side::feature) {
         return nowhere;
     }
     const Point<double> tangent = tangent_of_side<double>(from, at, to);

@@ -27,6 +27,17 @@ TEST(MakeComplex, TakesTrianglesOfEitherOrientation) {
     EXPECT_NO_THROW(test::build<double>(points, {{0, 2, 1}, {1, 0, 3}}, {0, 0}));
 }
 
+// Turns of 11.3 and of 14 degrees, and corners.
+TEST(MakeComplex, MarksSharpTurnsOfTheBoundary) {
+    for (const auto& [height, is_sharp] : {std::pair(0.1, false), std::pair(0.125, true)}) {
+        const auto complex = test::build<double>({{0, 0}, {1, -height}, {2, 0}, {1, 1}},
+                                                 {{0, 1, 3}, {1, 2, 3}}, {0, 0});
+        for (const std::uint32_t v : {0U, 1U, 2U, 3U}) {
+            EXPECT_EQ(complex.is_boundary_feature(Vertex{v}), v != 1 || is_sharp) << v;
+        }
+    }
+}
+
 TEST(MakeComplex, RefusesWhatMakesNoSense) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr double beyond = std::numeric_limits<double>::infinity();

@@ -336,5 +336,73 @@ TEST(FluidDomains, DropsKeepTheirAreaBesideInflowAndOutflow) {
     EXPECT_NEAR(phase_area(complex, 2) / layer, 1, 0.1);
 }
 
+// A jet through a gap in the floor bends a layer that flows along it, and remeshing moves, splits
+// and merges the edges of the floor. The ends of the gap stay, and so does what flows in.
+TEST(FluidDomains, TheEndsOfASideWithinAStraightWallStay) {
+    constexpr double h = 0.1;
+    const Polygon domain(
+        {turned(0, 0), turned(0.73, 0), turned(1.04, 0), turned(2, 0), turned(2, 1), turned(0, 1)});
+    const std::vector<Shape> layer{
+        {{turned(-9, -9), turned(9, -9), turned(9, 0.25), turned(-9, 0.25)}, 1}};
+    Complex<double> complex = mesh_of(domain, h, layer);
+    Simulation<double> simulation(complex, {.edge_length = h});
+    FluidOptions options;
+    options.phases = {{.phase = 0, .viscosity = 0.1}, {.phase = 1, .viscosity = 0.1}};
+    options.tensions = {{.tension = 0.01}};
+    options.domain_edges = edges_of(domain, {"wall", "jet", "wall", "outlet", "wall", "inlet"});
+    options.sides = {{.name = "wall", .wall = Wall::slip},
+                     {.name = "jet", .inflow = [](const Point<double>&, double) { return 0.3; }},
+                     {.name = "inlet", .inflow = [](const Point<double>&, double) { return 1.0; }},
+                     {.name = "outlet", .wall = Wall::open}};
+    Fluid fluid(complex, options);
+    for (int step = 0; step < 100; ++step) {
+        EXPECT_EQ(fluid.step(simulation, 0.02).moved.unreached, 0U);
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+    for (const double end : {0.73, 1.04}) {
+        double nearest = 9;
+        for (const Vertex v : vertices(complex)) {
+            nearest = std::min(nearest, (complex.position(v) - turned(end, 0)).norm());
+        }
+        EXPECT_LT(nearest, 1e-15) << "at " << end;
+    }
+}
+
+// A front rotates with the fluid in half a ring whose curved sides slip. At the inner side the
+// domain turns by 11.5 degrees between two edges, and by more where the front has passed.
+TEST(FluidDomains, AFrontSlidesAlongCurvedSides) {
+    constexpr double h = 0.1;
+    Points ring;
+    std::vector<std::string> names;
+    for (const auto& [radius, pieces] : {std::pair(1.0, 31), std::pair(0.5, 16)}) {
+        for (int i = 0; i <= pieces; ++i) {
+            const double angle = radius == 1.0 ? pi * i / pieces : pi * (pieces - i) / pieces;
+            ring.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+            names.emplace_back("slippery");
+        }
+        names.back() = radius == 1.0 ? "outlet" : "inlet";
+    }
+    const Polygon domain(ring);
+    const std::vector<Shape> behind{{{{0, 0}, {3, 0.9}, {3, -1}, {0, -1}}, 1}};
+    Complex<double> complex = mesh_of(domain, h, behind);
+    Simulation<double> simulation(complex, {.edge_length = h});
+    FluidOptions options;
+    options.phases = {{.phase = 0}, {.phase = 1}};
+    options.tensions = {{.tension = 0}};
+    options.equations = FluidEquations::stokes;
+    options.domain_edges = edges_of(domain, names);
+    options.sides = {
+        {.name = "slippery", .wall = Wall::slip},
+        {.name = "inlet", .inflow = [](const Point<double>& p, double) { return p.x(); }},
+        {.name = "outlet", .wall = Wall::open}};
+    Fluid fluid(complex, options);
+    const double area = phase_area(complex, 1);
+    for (int step = 0; step < 100; ++step) {
+        EXPECT_EQ(fluid.step(simulation, 0.02).moved.unreached, 0U) << "step " << step;
+    }
+    EXPECT_NEAR(phase_area(complex, 1), area + 2 * 0.375, 1e-2);
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
 } // namespace
 } // namespace dsc::domains_test

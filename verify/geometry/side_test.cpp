@@ -28,23 +28,26 @@ TYPED_TEST(Sides, AnObliqueSideIsStraightUpToRounding) {
         const Point<Real> from(Real(0.1), Real(0.3));
         const Point<Real> to(Real(0.1 + 0.03 * i), Real(0.7 + 0.01 * i));
         const Point<Real> at = from + Real(0.37) * (to - from);
-        EXPECT_EQ(side_at<Real>(from, at, to), Side::straight) << i;
+        EXPECT_EQ(side_at<Real>(from, at, to, false), Side::straight) << i;
+        EXPECT_EQ(side_at<Real>(from, at, to, true), Side::straight) << i;
         EXPECT_TRUE(may_leave_side<Real>(from, at, to));
         rounded += orientation<Real>(from, at, to) != 0 ? 1 : 0;
     }
     EXPECT_GT(rounded, 50) << "the test has lost its point";
 }
 
-TYPED_TEST(Sides, ATurnOfMoreThanTwelveDegreesIsAFeature) {
+TYPED_TEST(Sides, AMarkedTurnIsAFeatureFromTwelveDegreesOnAnotherFromFortyFive) {
     using Real = TypeParam;
-    EXPECT_EQ(
-        side_at<Real>(on_circle<Real>(1, 0), on_circle<Real>(1, 11.9), on_circle<Real>(1, 23.8)),
-        Side::curved);
-    EXPECT_EQ(
-        side_at<Real>(on_circle<Real>(1, 0), on_circle<Real>(1, 12.1), on_circle<Real>(1, 24.2)),
-        Side::feature);
-    EXPECT_EQ(side_at<Real>({0, 0}, {1, 0}, {1, 1}), Side::feature);
-    EXPECT_EQ(side_at<Real>({0, 0}, {1, 0}, {Real(0.5), Real(1e-3)}), Side::feature) << "a spike";
+    const auto side = [](double degrees, bool is_marked) {
+        return side_at<Real>(on_circle<Real>(1, 0), on_circle<Real>(1, degrees),
+                             on_circle<Real>(1, 2 * degrees), is_marked);
+    };
+    EXPECT_EQ(side(11.9, true), Side::curved);
+    EXPECT_EQ(side(12.1, true), Side::feature);
+    EXPECT_EQ(side(44.9, false), Side::curved);
+    EXPECT_EQ(side(45.1, false), Side::feature);
+    EXPECT_EQ(side_at<Real>({0, 0}, {1, 0}, {Real(0.5), Real(1e-3)}, false), Side::feature)
+        << "a spike";
     EXPECT_FALSE(may_leave_side<Real>({0, 0}, {1, 0}, {1, 1}));
 }
 
@@ -64,7 +67,7 @@ TYPED_TEST(Sides, PlacesOnACurvedSideLieOnItsCircle) {
             EXPECT_NEAR(distance<Real>(from, place), 0,
                         1.01 * share * static_cast<double>(chord) + static_cast<double>(slack));
         }
-        const Point<Real> middle = middle_of_side<Real>(from, at, to);
+        const Point<Real> middle = middle_of_side<Real>(from, at, to, false);
         EXPECT_NEAR(distance<Real>(middle, on_circle<Real>(0.7, 40 + way * 6)), 0, slack);
         const Point<Real> tangent = tangent_of_side<Real>(from, at, to);
         EXPECT_NEAR(tangent.dot(at - Point<Real>(3, -2)), 0, slack);

@@ -167,6 +167,13 @@ TYPED_TEST(Operations, CollapseKeepsTheDomainAndTheSubmeshBoundary) {
     EXPECT_TRUE(K.is_alive(Vertex{0})) << "a corner of the domain";
     EXPECT_EQ(phase_area(K, 0), 4);
 
+    auto J = grid<TypeParam>(2);
+    J.set_boundary_feature(Vertex{1}, true);
+    EXPECT_EQ(edge_collapse_guard(J, J.find_edge(Vertex{0}, Vertex{1}), Vertex{1}),
+              Verdict::on_boundary);
+    J.set_boundary_feature(Vertex{1}, false);
+    EXPECT_EQ(edge_collapse_guard(J, J.find_edge(Vertex{0}, Vertex{1}), Vertex{1}), Verdict::legal);
+
     auto L = grid<TypeParam>(4);
     std::vector<std::uint32_t> labels(25);
     for (std::uint32_t v = 0; v < 25; ++v) {

@@ -48,15 +48,18 @@ TEST_F(BoundaryParts, LimitsAreKept) {
     gather_at(2, 0);
     EXPECT_FALSE(should_split_boundary(star, {1.01, 0.2, 0.1}));
     EXPECT_TRUE(should_split_boundary(star, {0.99, 0.2, 0.1}));
-    EXPECT_FALSE(should_collapse_on_boundary(star, {4.1, 0.99, 0.1}));
-    EXPECT_TRUE(should_collapse_on_boundary(star, {4.1, 1.01, 0.1}));
-    EXPECT_TRUE(should_collapse_on_boundary(star, {4.1, 0.99, 0.1}, true));
-    EXPECT_FALSE(should_collapse_on_boundary(star, {3.9, 1.01, 0.1})) << "would make a long edge";
-    EXPECT_FALSE(should_collapse_on_boundary(star, {3.9, 1.01, 0.1, 0.99}));
-    EXPECT_TRUE(should_collapse_on_boundary(star, {3.9, 1.01, 0.1, 1.01})) << "stops the interface";
+    EXPECT_FALSE(should_collapse_on_boundary(complex, star, {4.1, 0.99, 0.1}));
+    EXPECT_TRUE(should_collapse_on_boundary(complex, star, {4.1, 1.01, 0.1}));
+    EXPECT_TRUE(should_collapse_on_boundary(complex, star, {4.1, 0.99, 0.1}, true));
+    EXPECT_FALSE(should_collapse_on_boundary(complex, star, {3.9, 1.01, 0.1}))
+        << "would make a long edge";
+    EXPECT_FALSE(should_collapse_on_boundary(complex, star, {3.9, 1.01, 0.1, 0.99}));
+    EXPECT_TRUE(should_collapse_on_boundary(complex, star, {3.9, 1.01, 0.1, 1.01}))
+        << "stops the interface";
     gather_at(2, 1);
     EXPECT_FALSE(should_split_boundary(star, {0.01, 0.001, 0.1})) << "not on the domain boundary";
-    EXPECT_FALSE(should_collapse_on_boundary(star, {99, 99, 0.1})) << "not on the domain boundary";
+    EXPECT_FALSE(should_collapse_on_boundary(complex, star, {99, 99, 0.1}))
+        << "not on the domain boundary";
 }
 
 TEST_F(BoundaryParts, SplitsAtTheMiddleOfTheBoundary) {

@@ -151,6 +151,16 @@ public:
     /// Makes a vertex of the interface a feature, or an ordinary point of its curve. The next step
     /// takes account of it; O(1).
     void set_feature(Vertex v, bool feature) { set_flag(v, vertex_feature, feature); }
+    /// Whether the vertex is a feature of the domain boundary: it is kept where it is, such as the
+    /// end of a side. `make_complex` marks sharp turns (`side_turn_degrees`).
+    [[nodiscard]] bool is_boundary_feature(Vertex v) const {
+        return (vertices[v.id].flags & vertex_boundary_feature) != 0;
+    }
+    /// Makes a vertex of the domain boundary a feature, or an ordinary point of its side. The next
+    /// step takes account of it; O(1).
+    void set_boundary_feature(Vertex v, bool feature) {
+        set_flag(v, vertex_boundary_feature, feature);
+    }
 
     // --- ids ----------------------------------------------------------------------------------
     /// Makes sure that the pool has this many free ids, so that taking them cannot fail. Returns

@@ -18,8 +18,9 @@ enum VertexFlag : std::uint32_t {
     /// vertex with both bits set is in contact: until it arrives, each step tries it only once.
     vertex_missed = 4U,
     vertex_contact = 12U,
-    vertex_feature = 16U, ///< a feature: it is kept, and the curve has no tangent there
-    vertex_on_way = 32U,  ///< the vertex was moved or deferred, and has not arrived yet
+    vertex_feature = 16U,          ///< a feature: it is kept, and the curve has no tangent there
+    vertex_on_way = 32U,           ///< the vertex was moved or deferred, and has not arrived yet
+    vertex_boundary_feature = 64U, ///< a feature of the domain boundary: it is kept where it is
 };
 
 /// A triangle, by id.

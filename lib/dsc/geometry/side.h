@@ -2,6 +2,10 @@
 // The sides of the domain boundary: straight in any direction, up to rounding, or curved. Between
 // its features the boundary is taken as a smooth curve through its vertices, and near each vertex
 // as the circle through it and its two neighbours.
+//
+// Which turns are features is decided at the start (`make_complex`) and kept with the vertex
+// (`Complex::is_boundary_feature`), because remeshing changes the turns of a curved side: where the
+// end of a curve slides along it, edges become longer.
 #pragma once
 
 #include "dsc/geometry/points.h"
@@ -11,18 +15,21 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace dsc {
 
 /// The shape of the domain boundary at a vertex.
 enum class Side : std::uint8_t {
     straight, ///< it goes on straight, up to rounding
-    curved,   ///< it turns by less than `side_turn_degrees`
-    feature,  ///< it turns by more
+    curved,   ///< it turns, but has a tangent
+    feature,  ///< it turns sharply
 };
 
-/// A sharper turn of the domain boundary is a feature, which stays where it is.
+/// A sharper turn of the domain boundary at the start is marked as a feature, and stays one.
 inline constexpr double side_turn_degrees = 12;
+/// A sharper turn is a feature even if it is not marked: no curved side turns as much later on.
+inline constexpr double side_corner_degrees = 45;
 /// A vertex on a curved side may be removed if its distance from the merged edge is at most this
 /// fraction of that edge.
 inline constexpr double side_deviation = 0.02;
@@ -42,14 +49,18 @@ struct SideHeight {
 
 } // namespace detail
 
-/// The shape of the domain boundary at `at`, between its two neighbours. O(1).
+/// The shape of the domain boundary at `at`, between its two neighbours. `is_marked`: the vertex
+/// there is a boundary feature. It need not turn, such as the end of an inlet in a wall. O(1).
 template <class Real>
-[[nodiscard]] Side side_at(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to) {
+[[nodiscard]] Side side_at(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
+                           bool is_marked) {
     if (orientation<Real>(from, at, to) == 0) {
         return Side::straight;
     }
-    const double cosine_of_side_turn = 0.97814760073380564; // of `side_turn_degrees`
-    if (!turns_less<Real>(from, at, to, static_cast<Real>(cosine_of_side_turn))) {
+    constexpr double cosine_of_turn = 0.97814760073380564;       // of `side_turn_degrees`
+    constexpr double cosine_of_corner = std::numbers::sqrt2 / 2; // of `side_corner_degrees`
+    if (!turns_less<Real>(from, at, to,
+                          static_cast<Real>(is_marked ? cosine_of_turn : cosine_of_corner))) {
         return Side::feature;
     }
     // The tolerance covers the rounding of the three points, of midpoints of rounded edges, and of
@@ -63,11 +74,11 @@ template <class Real>
 }
 
 /// Whether the domain keeps its shape, up to rounding or `side_deviation`, if the vertex `at` of
-/// its boundary is removed. O(1).
+/// its boundary is removed, which is not marked. O(1).
 template <class Real>
 [[nodiscard]] bool may_leave_side(const Point<Real>& from, const Point<Real>& at,
                                   const Point<Real>& to) {
-    const Side side = side_at<Real>(from, at, to);
+    const Side side = side_at<Real>(from, at, to, false);
     if (side != Side::curved) {
         return side == Side::straight;
     }
@@ -100,9 +111,10 @@ template <class Real>
     return from + along * way + y * Point<Real>(way.y(), -way.x());
 }
 
-/// The position that a vertex of the domain boundary with this target takes: it slides along a
-/// straight side, and stays at a feature. On a curved side only the ends of curves slide; other
-/// vertices stay, because each move changes the shape of the domain slightly. O(1).
+/// The position that a vertex of the domain boundary with this target takes, which is not marked:
+/// it slides along a straight side, and stays at a sharp turn. On a curved side only the ends of
+/// curves slide; other vertices stay, because each move changes the shape of the domain slightly.
+/// O(1).
 template <class Real>
 [[nodiscard]] Point<Real> slid_on_side(const Point<Real>& from, const Point<Real>& at,
                                        const Point<Real>& to, const Point<Real>& target,
@@ -114,7 +126,7 @@ template <class Real>
     if (orientation<Real>(from, at, to) == 0) {
         return {at.x() + along * tx, at.y() + along * ty};
     }
-    const Side side = side_at<Real>(from, at, to);
+    const Side side = side_at<Real>(from, at, to, false);
     if (side == Side::feature || (side == Side::curved && !is_end_of_curve)) {
         return at;
     }
@@ -130,11 +142,12 @@ template <class Real>
 }
 
 /// The middle of the edge from `at` to `to` of the domain boundary: on the circle through these and
-/// the neighbour before, if the side is curved there. O(1).
+/// the neighbour before, if the side is curved there. `is_marked`: the vertex at `at` is a boundary
+/// feature. O(1).
 template <class Real>
 [[nodiscard]] Point<Real> middle_of_side(const Point<Real>& before, const Point<Real>& at,
-                                         const Point<Real>& to) {
-    if (side_at<Real>(before, at, to) != Side::curved) {
+                                         const Point<Real>& to, bool is_marked) {
+    if (side_at<Real>(before, at, to, is_marked) != Side::curved) {
         return midpoint<Real>(at, to);
     }
     const Real half = distance<Real>(at, to) / 2;

@@ -55,8 +55,8 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
         return boundary == BoundaryRule::exact ? orientation<Real>(from, at(v), to) == 0
                                                : may_leave_side<Real>(from, at(v), to);
     };
-    if (summary.on_boundary &&
-        (!is_border(other) || !may_leave(at(summary.first), at(summary.last)))) {
+    if (summary.on_boundary && (!is_border(other) || complex.is_boundary_feature(Vertex{v}) ||
+                                !may_leave(at(summary.first), at(summary.last)))) {
         return Verdict::on_boundary;
     }
     if (!summary.owned) {

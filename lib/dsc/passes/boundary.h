@@ -62,16 +62,17 @@ Real merged_on_boundary(const Star<Real>& star) {
 /// is a reason only if the edge blocks a vertex that slides there, because each collapse changes
 /// the shape of the domain slightly.
 template <class Real>
-bool should_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& limits,
-                                 bool is_poor = false) {
-    if (star.closed || !star.one_phase) {
+bool should_collapse_on_boundary(const Complex<Real>& complex, const Star<Real>& star,
+                                 const BoundaryLimits<Real>& limits, bool is_poor = false) {
+    if (star.closed || !star.one_phase || complex.is_boundary_feature(Vertex{star.vertex})) {
         return false;
     }
     const Real shorter =
         std::min(boundary_edge(star, true).squared, boundary_edge(star, false).squared);
     const auto is_straight = [&] {
         return side_at<Real>({star.link_x(0), star.link_y(0)}, {star.x0, star.y0},
-                             {star.link_x(star.size), star.link_y(star.size)}) == Side::straight;
+                             {star.link_x(star.size), star.link_y(star.size)},
+                             false) == Side::straight;
     };
     const bool is_short = shorter < limits.shortest;
     return shorter < limits.blocking ||
@@ -130,7 +131,8 @@ SplitResult split_boundary(Work<Real>& work, const Star<Real>& star, bool is_fir
     const std::uint32_t before = is_first ? star.size : 0;
     const Point<Real> middle =
         middle_of_side<Real>({star.link_x(before), star.link_y(before)}, {star.x0, star.y0},
-                             {star.link_x(incident_edge.link), star.link_y(incident_edge.link)});
+                             {star.link_x(incident_edge.link), star.link_y(incident_edge.link)},
+                             work.complex.is_boundary_feature(Vertex{star.vertex}));
     if (!owns_place(work.submesh.region, middle)) {
         return {Verdict::on_submesh_boundary, {}};
     }

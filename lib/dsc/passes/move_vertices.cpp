@@ -16,10 +16,13 @@ namespace {
 
 // A vertex on the domain boundary stays there (thesis, section 6.4).
 template <class Real>
-void stay_on_boundary(const Star<Real>& star, Real& x, Real& y) {
-    const Point<Real> place = slid_on_side<Real>(
-        {star.link_x(0), star.link_y(0)}, {star.x0, star.y0},
-        {star.link_x(star.size), star.link_y(star.size)}, {x, y}, !star.one_phase);
+void stay_on_boundary(const Complex<Real>& complex, const Star<Real>& star, Real& x, Real& y) {
+    const Point<Real> at(star.x0, star.y0);
+    const Point<Real> place =
+        complex.is_boundary_feature(Vertex{star.vertex})
+            ? at
+            : slid_on_side<Real>(link_point(star, 0), at, link_point(star, star.size), {x, y},
+                                 !star.one_phase);
     x = place.x();
     y = place.y();
 }
@@ -96,7 +99,7 @@ void move_vertices(Work<Real>& work) {
         Real x = moving_vertex.x;
         Real y = moving_vertex.y;
         if (!star.closed) {
-            stay_on_boundary(star, x, y);
+            stay_on_boundary(work.complex, star, x, y);
         }
         if (!owns_place<Real>(work.submesh.region, {x, y})) {
             // The vertex would leave the submesh, inside which the next colour looks for deferred

@@ -5,6 +5,7 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/complex.h"
 #include "dsc/geometry/predicates.h"
+#include "dsc/geometry/side.h"
 #include "dsc/queries/validate.h"
 
 #include <algorithm>
@@ -87,6 +88,27 @@ void check_manifold(const Complex<Real>& complex) {
     }
 }
 
+// Marks the sharp turns of the domain boundary.
+template <class Real>
+void mark_boundary_features(Complex<Real>& complex) {
+    std::vector<std::uint32_t> after(complex.vertex_bound(), no_id); // with the domain on the left
+    for (std::uint32_t t = 1; t < complex.triangle_bound(); ++t) {
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            if (const Corner c = corner_of(t, i); is_border(complex.twin(c))) {
+                after[complex.vertex(next(c))] = complex.vertex(prev(c));
+            }
+        }
+    }
+    for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+        if (const std::uint32_t at = after[v]; at != no_id) {
+            const Side side =
+                side_at<Real>(complex.position(Vertex{v}), complex.position(Vertex{at}),
+                              complex.position(Vertex{after[at]}), true);
+            complex.set_boundary_feature(Vertex{at}, side == Side::feature);
+        }
+    }
+}
+
 } // namespace
 
 template <class Real>
@@ -146,6 +168,7 @@ Complex<Real> make_complex(std::span<const Point<Real>> points,
     if (const ValidationReport report = validate(complex); !report.ok()) {
         refuse("the triangles overlap", report.problem, "triangles that lie side by side");
     }
+    mark_boundary_features(complex);
     return complex;
 }
 

@@ -78,6 +78,7 @@ bool has_valid_numbers(const FluidField& field) {
            field.velocity.size() == mesh.nodes.size() &&
            field.pressure.size() == mesh.triangles.size() &&
            std::ranges::all_of(mesh.triangle_at, is_triangle_or_none) &&
+           std::ranges::is_sorted(mesh.features) &&
            std::ranges::all_of(mesh.triangles,
                                [&](const SnapshotTriangle& t) {
                                    return std::ranges::all_of(t.nodes, is_node) &&
@@ -110,6 +111,9 @@ MeshSnapshot snapshot_of(const Complex<double>& complex) {
         mesh.domain.low = is_first ? p : Point<double>(mesh.domain.low.cwiseMin(p));
         mesh.domain.high = is_first ? p : Point<double>(mesh.domain.high.cwiseMax(p));
         is_first = false;
+        if (complex.is_boundary_feature(v)) {
+            mesh.features.push_back(v.id);
+        }
     }
     for (const Triangle t : triangles(complex)) {
         SnapshotTriangle& copy = mesh.triangles[compact[t.id]];
@@ -177,7 +181,7 @@ Spot find_spot(const MeshSnapshot& mesh, Point<double> point, std::uint32_t star
 void archive(Archive& archive, FluidField& field) {
     MeshSnapshot& mesh = field.mesh;
     archive(mesh.domain.low, mesh.domain.high, mesh.vertex_bound, mesh.nodes, mesh.triangle_at,
-            field.time, field.velocity, field.side_forces);
+            mesh.features, field.time, field.velocity, field.side_forces);
     archive.records(mesh.triangles);
     archive.records(mesh.interface);
     archive.records(field.pressure);

@@ -37,6 +37,7 @@ struct MeshSnapshot {
     std::vector<SnapshotTriangle> triangles; ///< the living ones
     std::vector<SnapshotEdge> interface;     ///< each edge between two phases once
     std::vector<std::uint32_t> triangle_at;  ///< by vertex id: a triangle of the vertex, or no_id
+    std::vector<std::uint32_t> features;     ///< marked vertices of the domain boundary, by id
 };
 
 /// A copy of the complex. O(n).

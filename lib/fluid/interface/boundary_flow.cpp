@@ -128,6 +128,10 @@ void BoundaryFlow::keep_on_boundary(const InterfaceView<double>& view,
             continue;
         }
         const Vertex v = view.vertices[i];
+        if (view.complex.is_boundary_feature(v)) {
+            targets[i] = view.positions[i];
+            continue;
+        }
         bool is_end = false;
         const Phase first = view.complex.phase_at(view.complex.vertices[v.id].corner);
         for_each_corner(view.complex, v,

@@ -157,8 +157,9 @@ WallNode slipping(std::uint32_t node, const AtNode& at, const MeshSnapshot& mesh
     const bool has_two = at.slips[0] && at.slips[1];
     const Point<double> way = has_two ? Point<double>(*at.slips[0] + *at.slips[1])
                                       : at.slips[0].value_or(*at.slips[at.slips[0] ? 0 : 1]);
-    if (has_two && side_at<double>(mesh.nodes[at.ends[0]], mesh.nodes[node],
-                                   mesh.nodes[at.ends[1]]) == Side::feature) {
+    if (has_two &&
+        side_at<double>(mesh.nodes[at.ends[0]], mesh.nodes[node], mesh.nodes[at.ends[1]],
+                        std::ranges::binary_search(mesh.features, node)) == Side::feature) {
         return {.node = node, .held = {true, true}};
     }
     if (way.x() == 0) {
@@ -223,6 +224,23 @@ void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
                                   "top and other for the rest of the boundary"});
         }
     }
+}
+
+std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh, const FluidOptions& options) {
+    const std::vector<WallEdge> edges = edges_of(mesh, options);
+    std::vector<const WallEdge*> before(mesh.vertex_bound, nullptr);
+    for (const WallEdge& edge : edges) {
+        before[edge.to] = &edge;
+    }
+    std::vector<Vertex> ends;
+    for (const WallEdge& edge : edges) {
+        const WallEdge& other = *before[edge.from];
+        const bool slides = edge.wall == other.wall && edge.wall != Wall::no_slip;
+        if (!slides && (edge.wall != other.wall || edge.side != other.side)) {
+            ends.push_back(Vertex{edge.from});
+        }
+    }
+    return ends;
 }
 
 FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time) {

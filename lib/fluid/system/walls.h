@@ -38,6 +38,11 @@ struct FluidWalls {
 /// start alone: a side shorter than an edge may vanish later. O(n sides).
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
 
+/// The vertices at which two edges of the boundary with different conditions meet, unless an
+/// interface can slide along both: they slip, or are open, alike. O(n), as `walls_of`.
+[[nodiscard]] std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh,
+                                                const FluidOptions& options);
+
 /// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
 /// or more flows in than out of a domain that is closed. O(n), if the edges of the domain are as
 /// many as those of the mesh's boundary.

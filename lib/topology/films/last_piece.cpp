@@ -260,6 +260,9 @@ private:
     // All of the way, or as much of it as leaves all triangles positive, and a vertex of the domain
     // boundary exactly on it.
     void move_towards(std::uint32_t v, Point<Real> place) {
+        if (complex_.is_boundary_feature(Vertex{v})) {
+            return;
+        }
         const Point<Real> from = at(v);
         std::array<std::uint32_t, 2> beside{v, v};
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -275,8 +278,9 @@ private:
         }
         for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
             const Point<Real> to = from + share * (place - from);
-            bool is_positive = beside[0] == beside[1] ||
-                               side_at<Real>(at(beside[0]), to, at(beside[1])) == Side::straight;
+            bool is_positive =
+                beside[0] == beside[1] ||
+                side_at<Real>(at(beside[0]), to, at(beside[1]), false) == Side::straight;
             for_each_corner(complex_, Vertex{v}, [&](Corner c) {
                 is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
                                                                at(complex_.vertex(prev(c)))) > 0;

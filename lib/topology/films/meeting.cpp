@@ -120,7 +120,7 @@ private:
             return p; // the fronts do not face each other
         }
         if (sight.is_on_boundary) {
-            return side_at<Real>(v, p, q) == Side::straight ? p : v;
+            return side_at<Real>(v, p, q, false) == Side::straight ? p : v;
         }
         across /= size;
         const Real rate =

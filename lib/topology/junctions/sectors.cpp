@@ -69,8 +69,9 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
         const std::uint32_t from = complex.vertex(next(first));
         const std::uint32_t to = complex.vertex(prev(last));
         sectors.end = way(to);
-        sectors.is_at_corner = side_at<Real>(complex.position(Vertex{from}), here,
-                                             complex.position(Vertex{to})) == Side::feature;
+        sectors.is_at_corner = complex.is_boundary_feature(v) ||
+                               side_at<Real>(complex.position(Vertex{from}), here,
+                                             complex.position(Vertex{to}), false) == Side::feature;
     }
     for (std::size_t k = 0; k < list.size(); ++k) {
         list[k].angle =

@@ -27,7 +27,7 @@ template <class Real>
 struct Sectors {
     std::vector<Sector<Real>> list;
     bool is_on_boundary = false;
-    bool is_at_corner = false; ///< the domain boundary turns at the vertex
+    bool is_at_corner = false; ///< the vertex is a feature of the domain boundary
     Point<Real> end; ///< on the domain boundary: unit direction of the edge after the last sector
 
     [[nodiscard]] std::size_t size() const { return list.size(); }

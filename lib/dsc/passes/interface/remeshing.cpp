@@ -89,15 +89,16 @@ private:
 
     // --- the interface along the domain boundary ----------------------------------------------
     bool wants_boundary_remeshing(const Star<Real>& star) const {
-        return !star.closed && (should_collapse_on_boundary(star, limits_.on_boundary(star)) ||
-                                (star.phase[0] != exterior_phase &&
-                                 should_split_boundary(star, limits_.on_boundary(star))));
+        return !star.closed &&
+               (should_collapse_on_boundary(complex_, star, limits_.on_boundary(star)) ||
+                (star.phase[0] != exterior_phase &&
+                 should_split_boundary(star, limits_.on_boundary(star))));
     }
 
     // A short boundary edge that blocks the end of a curve, or a vertex that slides into a corner
     // of the domain, is collapsed even if the merged edge is so long that it is split again.
     bool may_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& boundary) {
-        if (!should_collapse_on_boundary(star, boundary)) {
+        if (!should_collapse_on_boundary(complex_, star, boundary)) {
             return false;
         }
         if (merged_on_boundary(star) < boundary.longest) {
@@ -109,8 +110,9 @@ private:
             return false;
         }
         const Star<Real>& end = work_.other_star;
-        return !end.one_phase || side_at<Real>(link_point(end, 0), {end.x0, end.y0},
-                                               link_point(end, end.size)) == Side::feature;
+        return !end.one_phase || complex_.is_boundary_feature(Vertex{end.vertex}) ||
+               side_at<Real>(link_point(end, 0), {end.x0, end.y0}, link_point(end, end.size),
+                             false) == Side::feature;
     }
 
     // Gathers the star at the other end of an incident edge into `other_star`. False if that fails,

@@ -208,7 +208,7 @@ private:
             limit.longest, limit.shortest,
             std::sqrt(std::clamp(report.quality, Real(0), limit.collapse)),
             blocking_squared * limit.shortest};
-        if (should_collapse_on_boundary(star_, boundary, is_poor) &&
+        if (should_collapse_on_boundary(complex_, star_, boundary, is_poor) &&
             collapse_on_boundary(work_, star_, boundary)) {
             sizes_.look_again(star_);
             return BoundaryRemeshing::gone;
