@@ -73,7 +73,7 @@ BoundaryFlow::BoundaryFlow(const std::vector<PhaseArea>& before, double start,
                            std::vector<double> inflows, std::vector<double> swept,
                            const Rectangle& box, const FluidOptions& options)
     : areas_(before), start_(start), inflows_(std::move(inflows)), swept_(std::move(swept)),
-      box_(box), options_(options), has_sides_(!inflows_.empty() || !swept_.empty()) {}
+      conditions_(box, options), has_sides_(!inflows_.empty() || !swept_.empty()) {}
 
 void BoundaryFlow::begin(const InterfaceView<double>& view, double time) {
     if (time == start_ && !swept_.empty()) {
@@ -102,7 +102,7 @@ void BoundaryFlow::cut_at_outlets(const InterfaceView<double>& view,
         }
         const auto [from, to] = beside(view.complex, view.vertices[end]);
         const auto slips = [&](const Point<double>& neighbour) {
-            return wall_between(neighbour, view.positions[end], box_, options_) == Wall::slip;
+            return conditions_.between(neighbour, view.positions[end]).wall == Wall::slip;
         };
         if (slips(from) || slips(to)) { // the end slides along a side that may be curved
             continue;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fluid/interface/held_areas.h"
-#include "fluid/options.h"
+#include "fluid/system/conditions.h"
 
 #include <vector>
 
@@ -44,8 +44,7 @@ private:
     double start_;
     std::vector<double> inflows_;
     std::vector<double> swept_;
-    Rectangle box_;
-    const FluidOptions& options_;
+    SideConditions conditions_;
     bool has_sides_; // which vertices could leave
 };
 

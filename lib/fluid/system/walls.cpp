@@ -4,12 +4,12 @@
 #include "dsc/base/error.h"
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/side.h"
+#include "fluid/system/conditions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-#include <string_view>
 
 namespace dsc {
 
@@ -24,58 +24,8 @@ struct WallEdge {
     std::uint32_t side = no_id; // in `FluidOptions::sides`; no_id: none of them
 };
 
-// A side of the box around the domain.
-struct BoxSide {
-    const char* name;
-    Wall wall;
-};
-
-BoxSide box_side(const Point<double>& from, const Point<double>& to, const Rectangle& box,
-                 const Walls& walls) {
-    const auto is_on = [&](int axis, double place) {
-        return from[axis] == place && to[axis] == place;
-    };
-    return is_on(0, box.low.x())    ? BoxSide{"left", walls.left}
-           : is_on(0, box.high.x()) ? BoxSide{"right", walls.right}
-           : is_on(1, box.low.y())  ? BoxSide{"bottom", walls.bottom}
-           : is_on(1, box.high.y()) ? BoxSide{"top", walls.top}
-                                    : BoxSide{"other", walls.other};
-}
-
-// The name of the domain's edge nearest to a place; empty if it has none.
-std::string_view nearest_name(const std::vector<DomainEdge>& edges, const Point<double>& place) {
-    const auto nearest = std::ranges::min_element(edges, {}, [&](const DomainEdge& edge) {
-        return squared_distance<double>(place, edge.from, edge.to);
-    });
-    return nearest == edges.end() ? std::string_view() : nearest->side;
-}
-
-struct Condition {
-    Wall wall;
-    std::uint32_t side = no_id;
-};
-
-// The condition on an edge with these ends.
-Condition condition_between(const Point<double>& from, const Point<double>& to,
-                            const Point<double>& middle, const Rectangle& box,
-                            const FluidOptions& options) {
-    const auto [box_name, wall] = box_side(from, to, box, options.walls);
-    if (options.wall_at) {
-        return {options.wall_at(middle)};
-    }
-    if (options.sides.empty()) {
-        return {wall};
-    }
-    const std::string_view given = nearest_name(options.domain_edges, middle);
-    const auto side =
-        std::ranges::find(options.sides, given.empty() ? box_name : given, &FluidSide::name);
-    if (side != options.sides.end()) {
-        return {side->wall, static_cast<std::uint32_t>(side - options.sides.begin())};
-    }
-    return {given.empty() ? wall : Wall::no_slip};
-}
-
 std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& options) {
+    const SideConditions conditions(mesh.domain, options);
     std::vector<WallEdge> edges;
     for (const SnapshotTriangle& triangle : mesh.triangles) {
         for (std::uint32_t i = 0; i < 3; ++i) {
@@ -85,8 +35,7 @@ std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& opt
             const std::uint32_t from = triangle.nodes[next_index(i)];
             const std::uint32_t to = triangle.nodes[prev_index(i)];
             const std::uint32_t middle = triangle.nodes[3 + i];
-            const auto [wall, side] = condition_between(mesh.nodes[from], mesh.nodes[to],
-                                                        mesh.nodes[middle], mesh.domain, options);
+            const auto [wall, side] = conditions.between(mesh.nodes[from], mesh.nodes[to]);
             edges.push_back({from, to, middle, wall, side});
         }
     }
@@ -203,11 +152,6 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
 }
 
 } // namespace
-
-Wall wall_between(const Point<double>& from, const Point<double>& to, const Rectangle& box,
-                  const FluidOptions& options) {
-    return condition_between(from, to, midpoint<double>(from, to), box, options).wall;
-}
 
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
     const std::vector<WallEdge> edges = edges_of(mesh, options);

@@ -29,11 +29,6 @@ struct FluidWalls {
     bool has_open = false; ///< a part of the boundary is open
 };
 
-/// The kind of the boundary between two neighbours on it, in a domain with this box around it.
-/// O(edges of the domain).
-[[nodiscard]] Wall wall_between(const Point<double>& from, const Point<double>& to,
-                                const Rectangle& box, const FluidOptions& options);
-
 /// Throws InputError if a side with a condition is on no edge of the mesh. To be called at the
 /// start alone: a side shorter than an edge may vanish later. O(n sides).
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
@@ -44,8 +39,7 @@ void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
                                                 const FluidOptions& options);
 
 /// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
-/// or more flows in than out of a domain that is closed. O(n), if the edges of the domain are as
-/// many as those of the mesh's boundary.
+/// or more flows in than out of a domain that is closed. O(n).
 [[nodiscard]] FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options,
                                   double time);
 
