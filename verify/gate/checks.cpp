@@ -68,6 +68,9 @@ double effort_ratio(const RunResult& a, const RunResult& b) {
 
 // A figure by its name in result files.
 double figure_of(const RunResult& r, const std::string& name) {
+    if (scenes::is_figure_of_fluid(name)) {
+        return number(r.fluid, name);
+    }
     if (name == "inverted") {
         return static_cast<double>(r.inverted);
     }

@@ -5,7 +5,9 @@
 #include "scenes/file/excerpt.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,19 @@ namespace {
 constexpr std::string_view at_end = "_last";
 constexpr std::string_view at_half = "_half";
 const std::string kept_value = "attribute_error_last";
+constexpr std::array of_fluids{"circularity_min",       "circularity_last",   "rise_velocity_max",
+                               "centre_last",           "area_drift_last",    "energy_last",
+                               "largest_velocity_last", "pressure_jump_last", "amplitude_error",
+                               "frequency_error",       "neck_error",         "neck_last"};
+
+// The side of the domain whose force the figure is; empty if it is none.
+std::string side_of_force(const std::string& figure) {
+    constexpr std::string_view stem = "force_x_";
+    const bool is_force = (figure.starts_with(stem) || figure.starts_with("force_y_")) &&
+                          figure.ends_with(at_end) && figure.size() > stem.size() + at_end.size();
+    return is_force ? figure.substr(stem.size(), figure.size() - stem.size() - at_end.size())
+                    : std::string();
+}
 
 // The counts and figures of a whole run, and the measures.
 std::vector<std::string> names_of_figures() {
@@ -26,7 +41,27 @@ std::vector<std::string> names_of_figures() {
             names.push_back(measure.name + std::string(moment));
         }
     }
+    names.insert(names.end(), of_fluids.begin(), of_fluids.end());
     return names;
+}
+
+// The reason why a run does not measure a figure of a fluid; empty if it does.
+std::string why_missing_of_fluid(const std::string& figure, const Setup& setup) {
+    if (!setup.fluid) {
+        return "the scene has no fluid";
+    }
+    if (const std::string side = side_of_force(figure); !side.empty()) {
+        const std::vector<FluidSide>& sides = setup.fluid->options.sides;
+        if (std::ranges::find(sides, side, &FluidSide::name) != sides.end()) {
+            return "";
+        }
+        return "no side '" + side + "' with a name or a formula" +
+               (sides.empty() ? "" : ", only " + name_list(sides, &FluidSide::name));
+    }
+    if (figure.starts_with("amplitude") || figure.starts_with("frequency")) {
+        return setup.fluid->wave ? "" : "the exact height of a wave is not known";
+    }
+    return figure.starts_with("neck") && !setup.fluid->neck ? "the exact neck is not known" : "";
 }
 
 FigureLimit read_limit(const TableReader& reader, const std::string& key, std::string figure) {
@@ -51,7 +86,12 @@ FigureLimit read_limit(const TableReader& reader, const std::string& key, std::s
 } // namespace
 
 std::vector<FigureLimit> read_limits(const TableReader& reader) {
-    return read_limits(reader, names_of_figures());
+    std::vector<std::string> names = names_of_figures();
+    std::vector<std::string> keys = reader.keys();
+    std::ranges::copy_if(keys, std::back_inserter(names),
+                         [](const std::string& key) { return !side_of_force(key).empty(); });
+    names.insert(names.end(), {"force_x_SIDE_last", "force_y_SIDE_last"});
+    return read_limits(reader, names);
 }
 
 std::vector<FigureLimit> read_limits(const TableReader& reader,
@@ -78,9 +118,17 @@ std::vector<FigureLimit> read_limits(const TableReader& reader,
     return limits;
 }
 
+bool is_figure_of_fluid(const std::string& figure) {
+    return !side_of_force(figure).empty() ||
+           std::ranges::find(of_fluids, figure) != of_fluids.end();
+}
+
 std::string why_missing(const std::string& figure, const Setup& setup, bool is_quick) {
     if (figure == kept_value) {
         return setup.value ? "" : "the scene has no value at its vertices";
+    }
+    if (is_figure_of_fluid(figure)) {
+        return why_missing_of_fluid(figure, setup);
     }
     const std::string stem = figure.substr(0, figure.find('.'));
     const bool is_half = stem.ends_with(at_half);

@@ -28,6 +28,9 @@ struct FigureLimit {
 [[nodiscard]] std::vector<FigureLimit> read_limits(const TableReader& reader,
                                                    const std::vector<std::string>& names);
 
+/// Whether it is a figure of a fluid (`RunResult::fluid`), such as `force_x_cylinder_last`.
+[[nodiscard]] bool is_figure_of_fluid(const std::string& figure);
+
 /// The reason why a run of this setup does not measure the figure; empty if it does. `is_quick`: do
 /// not check whether the exact shape is known half-way, which may take long.
 [[nodiscard]] std::string why_missing(const std::string& figure, const Setup& setup,

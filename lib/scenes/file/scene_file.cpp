@@ -212,6 +212,14 @@ void read_geometry(const TableReader& top, SceneParts& parts) {
 
 void read_motion(const TableReader& top, SceneParts& parts) {
     const std::vector<std::string> kinds{"flow", "curvature", "growth", "fluid"};
+    for (const DomainOutline& outline : parts.domain_outline) {
+        if (!outline.sides.empty() && !top.has("fluid")) {
+            throw InputError({.what = "sides have names, but no fluid has conditions on them",
+                              .where = outline.where,
+                              .value = name_list(outline.sides),
+                              .allowed = "a [fluid], or an outline without sides"});
+        }
+    }
     if (std::ranges::none_of(kinds, [&](const std::string& kind) { return top.has(kind); })) {
         return;
     }

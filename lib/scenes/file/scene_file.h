@@ -34,8 +34,9 @@
 //     [measure]                   # phase: the one whose shape is measured; by default all but 0;
 //                                 # shape = false: not compared with the exact one
 //     [limits]                    # figure = max, or figure = { min, max }: names as in result
-//                                 # files, such as sd_rel_last, area_ratio, inverted and
-//                                 # jaggedness_last.largest_excess_deg. `dsc_verify run FILE`
+//                                 # files, such as sd_rel_last, area_ratio, inverted,
+//                                 # jaggedness_last.largest_excess_deg and, of a fluid,
+//                                 # force_x_SIDE_last and energy_last. `dsc_verify run FILE`
 //                                 # checks them
 #pragma once
 

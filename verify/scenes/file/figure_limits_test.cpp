@@ -35,6 +35,22 @@ TEST(FigureLimits, KeepsLimits) {
     EXPECT_TRUE(std::isinf(limits[2].min));
 }
 
+const std::string channel =
+    "[domain]\noutline = { points = [[0, 0], [2, 0], [2, 1], [0, 1]], sides = ['wall', 'out', "
+    "'wall', 'in'] }\n"
+    "[fluid]\nwalls = { in = { inflow = '1' }, out = 'open' }\nphases = [{ phase = 0, density = "
+    "1, viscosity = 1 }]\n";
+
+TEST(FigureLimits, KnowThoseOfAFluid) {
+    const auto limits = read_figures(few_steps + channel +
+                                     "[limits]\nforce_x_wall_last = { min = 1, max = 2 }\n"
+                                     "force_y_out_last = 1\nenergy_last = 3\n")
+                            .limits;
+    ASSERT_EQ(limits.size(), 3U);
+    EXPECT_EQ(limits[1].figure, "force_x_wall_last");
+    EXPECT_EQ(limits[1].min, 1);
+}
+
 TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
     const std::vector<std::pair<std::string, std::vector<std::string>>> wrong{
         {few_steps + "[limits]\nsd_rel_last = nan\n", {"s.toml:6", "sd_rel_last", "nan"}},
@@ -49,6 +65,13 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
         {few_steps + "[limits]\nattribute_error_last = 1\n", {"s.toml:6", "has no value"}},
         {few_steps + advected + "[measure]\nshape = false\n[limits]\nsd_last = 1\n",
          {"s.toml:15", "sd_last", "not known"}},
+        {few_steps + channel + "[limits]\nforce_x_lid_last = 1\n",
+         {"s.toml:11", "force_x_lid_last", "no side 'lid'", "only wall, out, in"}},
+        {few_steps + channel + "[limits]\namplitude_error = 1\n", {"s.toml:11", "wave"}},
+        {few_steps + channel + "[limits]\nneck_last = 1\n", {"s.toml:11", "neck"}},
+        {few_steps + channel + "[limits]\nforce_z_wall_last = 1\n",
+         {"s.toml:11", "unknown key", "force_x_SIDE_last"}},
+        {few_steps + "[limits]\nforce_x_wall_last = 1\n", {"s.toml:6", "has no fluid"}},
     };
     for (const auto& [text, words] : wrong) {
         SCOPED_TRACE(text);

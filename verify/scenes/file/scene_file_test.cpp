@@ -229,9 +229,11 @@ TEST(SceneFile, ErrorsNameFileLineKeyValueAndWhatIsAllowed) {
          {"s.toml:6", "inflow and velocity"}},
         {options + "[domain]\nmesh = 'a.msh'\n", {"s.toml:6", "a.msh", "dsc.from_meshio"}},
         {options + "[domain]\noutline = { radius = 2 }\n", {"s.toml:6", "outline", "radius"}},
-        {options +
-             "[domain]\noutline = { points = [[0, 0], [1, 0], [0, 1]], sides = ['a', 'b'] }\n",
+        {options + "[domain]\noutline = { points = [[0, 0], [1, 0], [0, 1]], sides = ['a', 'b'] }\n"
+                   "[fluid]\nphases = [{ phase = 0, density = 1, viscosity = 1 }]\n",
          {"s.toml:6", "sides", "2 names, 3 edges"}},
+        {options + "[domain]\noutline = { points = [[0, 0], [1, 0], [0, 1]], sides = 'a' }\n",
+         {"s.toml:6", "sides", "no fluid", "[fluid]"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1, viscosity = -2 }]\n",
          {"s.toml:6", "viscosity", "-2"}},
         {options + "[fluid]\nphases = [{ phase = 1, density = 1 }]\n", {"s.toml", "viscosity"}},
