@@ -15,8 +15,9 @@ PYBIND11_MODULE(_dsc, module) {
     py::register_exception<dsc::SolveError>(module, "SolveError", PyExc_RuntimeError).doc() =
         "Equations of a fluid that cannot be solved: triangles have degenerated, or it is too "
         "fast.";
-    // Seals bytes, so that a changed byte is detected.
-    const dsc::SealedKind kind{"dsc-py"};
+    // Seals bytes, so that a changed byte is detected. Raise the version with every change of what
+    // pickles contain: those of an earlier one are then refused as such.
+    const dsc::SealedKind kind{"dsc-py", 2};
     module.def("sealed",
                [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });
     module.def("unsealed", [kind](const std::string& bytes, const std::string& name) {

@@ -91,8 +91,9 @@ std::string unsealed(std::string bytes, const SealedKind& kind, const std::strin
         throw FileError("not a file of kind '" + kind.name + "'", name);
     }
     if (header.version != kind.version) {
-        throw FileError("version " + std::to_string(header.version) + ", not " +
-                            std::to_string(kind.version),
+        throw FileError("version " + std::to_string(header.version) + " of its layout, not " +
+                            std::to_string(kind.version) +
+                            ": read it with the program that wrote it, or run again",
                         name);
     }
     bytes.erase(0, header_size);

@@ -83,6 +83,20 @@ class Fluids(unittest.TestCase):
         np.testing.assert_allclose(spun.velocities[on_body], ((mesh.points - (.8, 1)) @ ((0, 1), (-1, 0)))[on_body],
                                    atol=1e-12)
 
+    def test_a_lambda_is_copied_but_not_pickled(self):
+        sim, _ = bubble()
+        fluid = dsc.Fluid(sim, {0: (1, 1), 1: (1, 1)}, {(0, 1): 0}, open="top", slip={"left", "right"},
+                          inflow={"bottom": lambda x, y, t: x * (1 - x)})
+        fluid.step(0.01)
+        for again in (copy.copy, copy.deepcopy):
+            other = again(fluid)
+            self.assertIsNot(other.simulation.mesh, sim.mesh)
+            np.testing.assert_array_equal(other.velocities, fluid.velocities)
+        sentence = r"Fluid: options\['inflow'\]\['bottom'\]: cannot be pickled: got <function .*; allowed: numbers, or a f"
+        for store in (pickle.dumps, lambda one: dsc.save("/dev/null", one)):
+            with self.assertRaisesRegex(dsc.InputError, sentence):
+                store(fluid)
+
     def test_a_side_has_one_condition(self):
         sim, _ = bubble()
         for options, words in [({"inflow": {"inlet": 1}}, "inflow: not a side of the domain: got 'inlet'; allowed: left,"),

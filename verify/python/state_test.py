@@ -3,6 +3,7 @@
 import copy
 import pathlib
 import pickle
+import sys
 import tempfile
 import unittest
 
@@ -89,6 +90,40 @@ class ASimulation(unittest.TestCase):
             self.assertEqual(other.mesh_hash, mesh.mesh_hash)
             self.assertTrue(np.array_equal(other.vertex_data["x"], mesh.vertex_data["x"]))
         self.assertGreater(refused, 490)
+
+
+    def test_functions_are_copied_and_those_without_a_name_not_pickled(self):
+        sim = dsc.Simulation(disc_mesh(), edge_length=H, growth=1.3, by_place=lambda x, y, t, phase: H + 0 * x)
+        sim.step(swirl, 0, H)
+        for again in (copy.copy, copy.deepcopy):
+            other = again(sim)
+            self.assertEqual(other.step(swirl, H, H), sim.step(swirl, H, H))
+            self.assertEqual(other.mesh.mesh_hash, sim.mesh.mesh_hash)
+            sim = other
+        with self.assertRaisesRegex(dsc.InputError, r"simulation: options\['by_place'\]: cannot be pickled: got <function"):
+            pickle.dumps(sim)
+
+    def test_pickles_of_another_layout_are_refused(self):
+        mesh = disc_mesh()
+        made = [mesh, dsc.Simulation(mesh, edge_length=H),
+                dsc.initial_complex(((0, 0, 0), (1, 1, 1)), {1: dsc.ball((.5, .5, .5), .3)}, edge_length=.3)]
+        made.append(dsc.Fluid(made[1], {0: (1, 1), 1: (1, 1)}, {(0, 1): 0}))
+        for one in made:
+            make, (*parts, state) = one.__reduce__()
+            for old, sentence in ((state[:8] + b"\1" + state[9:], "version 1 of its layout, not 2: read it with the pr"),
+                                  (dsc._dsc.sealed(pickle.dumps(("a", "tuple"))), "written by another version of dsc")):
+                with self.assertRaisesRegex(dsc.FileError, sentence):
+                    make(*parts, old)
+
+    def test_a_function_that_is_gone_is_told(self):
+        whole = pickle.dumps(dsc.Simulation(disc_mesh(), edge_length=H, growth=1.3, by_place=by_place))
+        module, function = sys.modules[by_place.__module__], by_place
+        del module.by_place
+        try:
+            with self.assertRaisesRegex(dsc.FileError, "simulation: needs what is not here: .*by_place"):
+                pickle.loads(whole)
+        finally:
+            module.by_place = function
 
 
 class AMesh(unittest.TestCase):

@@ -69,11 +69,13 @@ class Fluid(_dsc.Fluid):
         return f"<dsc.Fluid: {len(self._options['phases'])} phases, time {self.time:.6g}>"
 
     def __reduce__(self):
-        return _fluid_from, (self._sim, sealed(self._options, self._state()))
+        return _fluid_from, (self._sim, sealed("Fluid", options=self._options, state=self._state()))
 
     def __copy__(self):
-        make, (sim, state) = self.__reduce__()
-        return make(copy.copy(sim), state)  # a copy moves a mesh of its own
+        return self.__deepcopy__({})  # a copy moves a mesh of its own
+
+    def __deepcopy__(self, memo):
+        return _begun(copy.deepcopy(self._sim, memo), self._options, self._state())
 
     def step(self, dt):
         """Advances by dt; with a tolerance, in as many steps as needed.
@@ -92,9 +94,12 @@ class Fluid(_dsc.Fluid):
 
 
 def _fluid_from(sim, state):
-    options, inner = unsealed(state, "fluid")
+    return _begun(sim, *unsealed(state, "Fluid", "options", "state"))
+
+
+def _begun(sim, options, state):
     fluid = Fluid(sim, **options)
-    fluid._restore(inner)
+    fluid._restore(state)
     return fluid
 
 

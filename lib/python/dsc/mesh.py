@@ -61,7 +61,8 @@ class Mesh(_dsc.Mesh):
         return self.copy()
 
     def __reduce__(self):
-        return _mesh_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.triangle_data), self._sides),)
+        return _mesh_from, (sealed("mesh", complex=self._bytes(), vertex_data=dict(self.vertex_data),
+                                   triangle_data=dict(self.triangle_data), sides=self._sides),)
 
     def __repr__(self):
         return (f"<dsc.Mesh: {len(self.triangles)} triangles, {len(self.points)} vertices, "
@@ -126,7 +127,8 @@ class Mesh(_dsc.Mesh):
 
 
 def _mesh_from(state):
-    complex_bytes, vertex_data, triangle_data, sides = unsealed(state, "mesh")
+    complex_bytes, vertex_data, triangle_data, sides = unsealed(state, "mesh", "complex", "vertex_data",
+                                                                "triangle_data", "sides")
     mesh = Mesh._made_of(complex_bytes, sides=sides)
     mesh.vertex_data.update(vertex_data)
     mesh.triangle_data.update(triangle_data)

@@ -56,7 +56,8 @@ class Mesh3(_dsc.Mesh3):
         return self.copy()
 
     def __reduce__(self):
-        return _mesh3_from, (sealed(self._bytes(), dict(self.vertex_data), dict(self.tet_data)),)
+        return _mesh3_from, (sealed("mesh", complex=self._bytes(), vertex_data=dict(self.vertex_data),
+                                    tet_data=dict(self.tet_data)),)
 
     def __repr__(self):
         return (f"<dsc.Mesh3: {len(self.phases)} tets, {len(self.points)} vertices, "
@@ -92,7 +93,7 @@ class Mesh3(_dsc.Mesh3):
 
 
 def _mesh3_from(state):
-    complex_bytes, vertex_data, tet_data = unsealed(state, "mesh")
+    complex_bytes, vertex_data, tet_data = unsealed(state, "mesh", "complex", "vertex_data", "tet_data")
     mesh = Mesh3._made_of(complex_bytes)
     mesh.vertex_data.update(vertex_data)
     mesh.tet_data.update(tet_data)

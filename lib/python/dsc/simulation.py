@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Simulations: the compiled part, with reports, flows and pickling."""
+import copy
 import types
 
 from . import _dsc, arrays
@@ -108,15 +109,21 @@ Other Parameters
         return f"<dsc.Simulation: {self.interface_size} interface vertices, time {self.time:.6g}>"
 
     def __reduce__(self):
-        return _simulation_from, (self.mesh, sealed(self.options, self.flow, self._compiled.state()))
+        return _simulation_from, (self.mesh, sealed("simulation", options=self.options, flow=self.flow,
+                                                    state=self._compiled.state()))
 
     def __copy__(self):
-        make, (mesh, state) = self.__reduce__()
-        return make(mesh.copy(), state)  # a mesh has at most one simulation
+        return self.__deepcopy__({})  # a mesh has at most one simulation
+
+    def __deepcopy__(self, memo):
+        return _begun(copy.deepcopy(self.mesh, memo), self.options, copy.copy(self.flow), self._compiled.state())
 
 
 def _simulation_from(mesh, state):
-    options, flow, inner = unsealed(state, "simulation")
+    return _begun(mesh, *unsealed(state, "simulation", "options", "flow", "state"))
+
+
+def _begun(mesh, options, flow, state):
     sim = Simulation(mesh, flow, **options)
-    sim._compiled.restore(inner)
+    sim._compiled.restore(state)
     return sim
