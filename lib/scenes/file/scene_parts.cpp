@@ -53,6 +53,40 @@ struct FirstShape {
     bool is_hole = false;
 };
 
+// Whether a polygon lies in another one, by the even-odd rule at most of its points; it may touch
+// it.
+bool lies_in(const Outline& inner, const Outline& outer) {
+    std::ptrdiff_t inside = 0;
+    for (const Point<double>& p : inner) {
+        bool is_inside = false;
+        for (std::size_t i = 0, j = outer.size() - 1; i < outer.size(); j = i++) {
+            const Point<double>& a = outer[i];
+            const Point<double>& b = outer[j];
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+                is_inside = !is_inside;
+            }
+        }
+        inside += is_inside ? 1 : -1;
+    }
+    return inside > 0;
+}
+
+// The phase of the smallest outline around one.
+Phase phase_around(const Setup& setup, std::size_t i) {
+    Phase phase = exterior_phase;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < setup.outlines.size(); ++k) {
+        const double area = std::abs(signed_area(setup.outlines[k]));
+        if (k != i && area < smallest && lies_in(setup.outlines[i], setup.outlines[k])) {
+            phase = setup.phases[k];
+            smallest = area;
+        }
+    }
+    return phase;
+}
+
+// Those of the measured phase, with shapes of other phases in them as holes; or of the only phase.
 std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, const Setup& setup) {
     if (shapes.size() == 1 && shapes.front().source.curve) {
         return {{*shapes.front().source.curve}};
@@ -60,18 +94,28 @@ std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, con
     std::vector<FirstShape> first;
     Phase phase = exterior_phase;
     for (std::size_t i = 0; !shapes.empty() && i < setup.outlines.size(); ++i) {
-        const bool is_hole = setup.phases[i] == exterior_phase;
+        const Outline& outline = setup.outlines[i];
+        const bool is_hole = setup.phases[i] != setup.measured.value_or(setup.phases[i]) ||
+                             setup.phases[i] == exterior_phase;
+        if (is_hole && setup.measured && phase_around(setup, i) != *setup.measured) {
+            continue; // beside the measured phase
+        }
         if (!is_hole && phase != exterior_phase && setup.phases[i] != phase) {
             throw InputError(
                 {.what = "the exact shape of several phases is not supported",
                  .where = shapes.front().where,
                  .value = std::to_string(phase) + " and " + std::to_string(setup.phases[i]),
-                 .allowed = "shapes of one phase, and their holes"});
+                 .allowed = "phase = N in [measure], or shapes of one phase and their holes"});
         }
         phase = is_hole ? phase : setup.phases[i];
-        const Outline& outline = setup.outlines[i];
         first.push_back(
             {polygon_curve(signed_area(outline) < 0 ? reversed(outline) : outline), is_hole});
+    }
+    if (first.empty() && !shapes.empty()) {
+        throw InputError({.what = "no shape has the measured phase",
+                          .where = shapes.front().where,
+                          .value = std::to_string(setup.measured.value_or(1)),
+                          .allowed = "the phase of a shape in [measure]"});
     }
     return first;
 }

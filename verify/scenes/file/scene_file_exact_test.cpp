@@ -51,6 +51,23 @@ TEST(SceneFileExact, KnowsExactShapes) {
     EXPECT_NEAR(signed_area(holes(0.1).outlines), 0.4 * 0.8 - 0.2 * 0.4, 1e-6);
 }
 
+// A ring of phase 1 around a disc of phase 2 with a hole, and another disc beside them.
+TEST(SceneFileExact, OfSeveralPhasesIsThatOfTheMeasuredOne) {
+    const std::string text =
+        "[options]\nh = 0.05\ndt = 0.1\nperiod = 2\n" + swirl_flow + "[exact]\nback = true\n" +
+        "[[shape]]\ncircle = { centre = [0.5, 0.5], radius = 0.3 }\n"
+        "[[shape]]\nphase = 2\ncircle = { centre = [0.5, 0.5], radius = 0.2 }\n"
+        "[[shape]]\nphase = 0\ncircle = { centre = [0.5, 0.5], radius = 0.1 }\n"
+        "[[shape]]\nphase = 2\ncircle = { centre = [0.1, 0.1], radius = 0.08 }\n";
+    const auto area_of = [&](const std::string& phase) {
+        return setup_of(text + "[measure]\nphase = " + phase + "\n").exact(0).area / 3.14159265;
+    };
+    EXPECT_NEAR(area_of("1"), 0.09 - 0.04, 1e-3);
+    EXPECT_NEAR(area_of("2"), 0.04 - 0.01 + 0.0064, 1e-3);
+    EXPECT_THROW((void)area_of("3"), InputError);
+    EXPECT_THROW((void)setup_of(text), InputError) << "which of them?";
+}
+
 TEST(SceneFileExact, IsMeasuredWhereTheExactShapeIsKnown) {
     const Scene scene = read("[options]\nh = 0.05\ndt = 0.05\nperiod = 1\n" + swirl_flow + disc +
                              "[exact]\nback = true")
