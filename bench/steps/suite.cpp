@@ -111,7 +111,13 @@ Measure read_measure(const CaseReader& reader) {
     if (!reader.has("measure")) {
         return Measure::run;
     }
-    const auto measure = value_in(measure_names, reader.of("measure").text("measure"));
+    const std::vector<std::string> given = texts(reader, "measure");
+    if (given.size() != 1) {
+        reader.refuse("measure", "a case has one measure",
+                      "one of " + names_in(measure_names) +
+                          "; rows = [{ measure = \"step\" }, ...] for several");
+    }
+    const auto measure = value_in(measure_names, given.front());
     if (!measure) {
         reader.refuse("measure", "unknown measure", names_in(measure_names));
     }
