@@ -106,7 +106,7 @@ class ASimulation(unittest.TestCase):
     def test_pickles_of_another_layout_are_refused(self):
         mesh = disc_mesh()
         made = [mesh, dsc.Simulation(mesh, edge_length=H),
-                dsc.initial_complex(((0, 0, 0), (1, 1, 1)), {1: dsc.ball((.5, .5, .5), .3)}, edge_length=.3)]
+                dsc.initial_complex(((0, 0, 0), (1, 1, 1)), {1: dsc.ball((.5, .5, .5), .3)}, edge_length=.25)]
         made.append(dsc.Fluid(made[1], {0: (1, 1), 1: (1, 1)}, {(0, 1): 0}))
         for one in made:
             make, (*parts, state) = one.__reduce__()
