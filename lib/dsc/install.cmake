@@ -23,7 +23,9 @@ if(PROJECT_IS_TOP_LEVEL)
 endif()
 
 # dsc_install_module(module target folder [ON module...]): the library, the public headers of lib/MODULE
-# below `folder`, which is relative to the prefix and holds MODULE/, and TARGET.pc for pkg-config.
+# below `folder`, which is relative to the prefix and holds MODULE/, and TARGET.pc for pkg-config. Installed headers
+# include those of modules as "dsc/MODULE/...", so that a folder of the application with the name of a module, such as
+# fluid, does not get in the way.
 function(dsc_install_module module target folder)
     cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "ON")
     list(TRANSFORM arg_ON PREPEND dsc_)
@@ -50,7 +52,11 @@ function(dsc_install_module module target folder)
         dsc_public_headers(headers \${source} ${module})
         foreach(header IN LISTS headers)
             get_filename_component(subfolder \${header} DIRECTORY)
-            file(INSTALL \${source}/\${header}
+            file(READ \${source}/\${header} text)
+            string(REGEX REPLACE \"#include \\\"([a-z0-9_]+/)\" \"#include \\\"dsc/\\\\1\" text \"\${text}\")
+            string(REPLACE \"#include \\\"dsc/dsc/\" \"#include \\\"dsc/\" text \"\${text}\")
+            file(WRITE \"${PROJECT_BINARY_DIR}/installed_headers/\${header}\" \"\${text}\")
+            file(INSTALL \"${PROJECT_BINARY_DIR}/installed_headers/\${header}\"
                 DESTINATION \${CMAKE_INSTALL_PREFIX}/${folder}/\${subfolder})
         endforeach()")
 endfunction()
