@@ -115,7 +115,10 @@ def plain(scene, shown, events=()):
     if len(phases) > MANY:
         text += f" and {sum(p in last for p in phases)} of {len(phases)} phases left"
     elif len(phases) == 1 and len(shown) > 1:
-        text += f"; at the end its area is {_grown(first[phases[0]], last.get(phases[0], 0.0))}"
+        before, after = first[phases[0]], last.get(phases[0], 0.0)
+        text += f"; at the end its area is {_grown(before, after)}"
+        if abs(after / before - 1) > 0.01:
+            text += ", by the flow and by errors together (area_ratio has the errors alone)"
     if events:
         text += f"; phases met or parted {style.counted(len(events), 'time')}"
     return text + "."
