@@ -69,6 +69,28 @@ TEST(FluidOptions, SidesAreOnTheDomainAndHaveOneCondition) {
                    [&](auto& o) { o.sides = {{.name = "left", .inflow = inwards}}; });
 }
 
+// An inlet that begins so near to a corner that its first point is left out of a coarse mesh.
+TEST(FluidOptions, AnEndOfASideWithinAWallIsAVertex) {
+    const Polygon domain({{0, 0}, {0.01, 0}, {0.5, 0}, {2, 0}, {2, 1}, {0, 1}});
+    FluidOptions options;
+    options.phases = {{.phase = 0}};
+    const std::vector<std::string> names{"wall", "inlet", "wall", "outlet", "wall", "wall"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        options.domain_edges.push_back(
+            {domain.outline[i], domain.outline[(i + 1) % names.size()], names[i]});
+    }
+    options.sides = {{.name = "inlet", .inflow = [](const auto&, double) { return 1.0; }},
+                     {.name = "outlet", .wall = Wall::open}};
+    for (const double h : {0.04, 0.1}) {
+        const auto complex =
+            initial_complex<double>(domain, std::vector<Shape>{}, {.edge_length = h});
+        const std::string sentence = test::refusal([&] { const Fluid fluid(complex, options); });
+        EXPECT_EQ(sentence.find("two sides meet where the mesh has no vertex") != sentence.npos,
+                  h == 0.1)
+            << sentence;
+    }
+}
+
 TEST(FluidOptions, EachPhaseAndEachPairThatMeetsIsGivenOnce) {
     expect_refused("phase 1", [](auto& o) {
         o.phases.pop_back();

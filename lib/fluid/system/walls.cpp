@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace dsc {
 
@@ -151,6 +153,54 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
     }
 }
 
+// Whether the point between two edges of the boundary must stay: the conditions there differ, and
+// an interface cannot slide from one to the other.
+bool is_end_of_side(const SideCondition& one, const SideCondition& other) {
+    const bool slides = one.wall == other.wall && one.wall != Wall::no_slip;
+    return !slides && (one.wall != other.wall || one.side != other.side);
+}
+
+// An end of a side within a straight wall may have been left out of the mesh because it is too near
+// to another point. The side would be longer or shorter than it was given.
+void check_ends_exist(const MeshSnapshot& mesh, const FluidOptions& options,
+                      const std::vector<WallEdge>& edges) {
+    struct End {
+        Point<double> at;
+        Point<double> other;
+        SideCondition condition;
+    };
+    const SideConditions conditions(mesh.domain, options);
+    std::vector<End> ends;
+    for (const DomainEdge& edge : options.domain_edges) {
+        const SideCondition condition = conditions.between(edge.from, edge.to);
+        ends.push_back({edge.from, edge.to, condition});
+        ends.push_back({edge.to, edge.from, condition});
+    }
+    std::ranges::sort(ends, {}, [](const End& end) { return std::pair(end.at.x(), end.at.y()); });
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const End& one = ends[i];
+        const End& other = ends[i + 1];
+        if (one.at != other.at || !is_end_of_side(one.condition, other.condition) ||
+            side_at<double>(one.other, one.at, other.other, false) != Side::straight) {
+            continue;
+        }
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const WallEdge& edge : edges) {
+            nearest = std::min(nearest, (mesh.nodes[edge.from] - one.at).norm());
+        }
+        constexpr double rounding = 1e-9;
+        const double length = (mesh.domain.high - mesh.domain.low).maxCoeff();
+        if (nearest > rounding * length) {
+            throw InputError(
+                {.what = "two sides meet where the mesh has no vertex",
+                 .where = "FluidOptions::domain_edges",
+                 .value = to_text(one.at) + ", " + to_text(nearest) + " from the nearest one",
+                 .allowed = "an edge length of at most five times the distance to the "
+                            "next point of the outline, or Detail::keep"});
+        }
+    }
+}
+
 } // namespace
 
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
@@ -168,6 +218,9 @@ void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
                                   "top and other for the rest of the boundary"});
         }
     }
+    if (!sides.empty()) {
+        check_ends_exist(mesh, options, edges);
+    }
 }
 
 std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh, const FluidOptions& options) {
@@ -179,8 +232,7 @@ std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh, const FluidOptions& 
     std::vector<Vertex> ends;
     for (const WallEdge& edge : edges) {
         const WallEdge& other = *before[edge.from];
-        const bool slides = edge.wall == other.wall && edge.wall != Wall::no_slip;
-        if (!slides && (edge.wall != other.wall || edge.side != other.side)) {
+        if (is_end_of_side({edge.wall, edge.side}, {other.wall, other.side})) {
             ends.push_back(Vertex{edge.from});
         }
     }

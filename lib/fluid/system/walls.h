@@ -29,8 +29,10 @@ struct FluidWalls {
     bool has_open = false; ///< a part of the boundary is open
 };
 
-/// Throws InputError if a side with a condition is on no edge of the mesh. To be called at the
-/// start alone: a side shorter than an edge may vanish later. O(n sides).
+/// Throws InputError if a side with a condition is on no edge of the mesh, or two sides meet within
+/// a straight wall where there is no vertex. To be called at the start alone: a side shorter than
+/// an edge may vanish later. O(n sides + n log n), and O(n) for each
+/// such point.
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
 
 /// The vertices at which two edges of the boundary with different conditions meet, unless an
