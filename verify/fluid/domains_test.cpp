@@ -336,6 +336,22 @@ TEST(FluidDomains, DropsKeepTheirAreaBesideInflowAndOutflow) {
     EXPECT_NEAR(phase_area(complex, 2) / layer, 1, 0.1);
 }
 
+// Points of the outline stay at the start, also on level sides, and are marked only at corners.
+TEST(FluidDomains, PointsWithinAStraightSideAreVertices) {
+    const Polygon domain({{0, 0}, {0.3, 0}, {0.325, 0}, {2, 0}, {2, 1}, {0, 1}});
+    const Complex<double> complex = mesh_of(domain, 0.1);
+    for (const Point<double>& point : domain.outline) {
+        bool is_there = false;
+        for (const Vertex v : vertices(complex)) {
+            if (complex.position(v) == point) {
+                is_there = true;
+                EXPECT_EQ(complex.is_boundary_feature(v), point.x() == 0 || point.x() == 2);
+            }
+        }
+        EXPECT_TRUE(is_there) << point.x();
+    }
+}
+
 // A jet through a gap in the floor bends a layer that flows along it, and remeshing moves, splits
 // and merges the edges of the floor. The ends of the gap stay, and so does what flows in.
 TEST(FluidDomains, TheEndsOfASideWithinAStraightWallStay) {

@@ -9,9 +9,12 @@
 #include "dsc/initial/improve/improvement.h"
 #include "dsc/initial/input/input_check.h"
 #include "dsc/initial/input/line.h"
+#include "dsc/queries/phases.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace dsc {
 
@@ -60,10 +63,37 @@ Complex<Real> without_outside(const Complex<Real>& complex, initial::Chains& cha
     }
 }
 
-// A complex with these paths as its interface.
+// Marks the vertices at the given points of the boundary that are not sharp turns, so that the
+// improvement leaves them: sides may end there. Returns them.
+template <class Real>
+std::vector<Vertex> hold(Complex<Real>& complex, const Polygon& domain) {
+    const auto less = [](const Point<Real>& a, const Point<Real>& b) {
+        return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    };
+    std::vector<Point<Real>> given;
+    const auto add = [&](const std::vector<Point<double>>& ring) {
+        for (const Point<double>& p : ring) {
+            given.push_back(p.cast<Real>());
+        }
+    };
+    add(domain.outline);
+    std::ranges::for_each(domain.holes, add);
+    std::ranges::sort(given, less);
+    std::vector<Vertex> held;
+    for (const Vertex v : vertices(complex)) {
+        if (is_boundary(complex, v) && !complex.is_boundary_feature(v) &&
+            std::ranges::binary_search(given, complex.position(v), less)) {
+            complex.set_boundary_feature(v, true);
+            held.push_back(v);
+        }
+    }
+    return held;
+}
+
+// A complex with these paths as its interface; `domain` unless it is a rectangle.
 template <class Real>
 Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& options,
-                    initial::Protection protection) {
+                    initial::Protection protection, const Polygon* domain = nullptr) {
     using namespace initial;
     const std::span<const CheckedPath> paths = input.paths;
     std::size_t pieces = 0;
@@ -88,6 +118,8 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
     if (input.has_outside) {
         complex = without_outside(complex, chains);
     }
+    const std::vector<Vertex> held =
+        domain == nullptr ? std::vector<Vertex>() : hold(complex, *domain);
     const auto interface_vertices = vertices_on(chains);
     if (options.sizes.is_uniform()) {
         improve(complex, std::span<const std::uint32_t>(interface_vertices), options.edge_length,
@@ -95,6 +127,9 @@ Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& op
     } else {
         grade(complex, sizes_in<Real>(options.sizes), static_cast<Real>(options.edge_length),
               options.improve_rounds, protection);
+    }
+    for (const Vertex v : held) {
+        complex.set_boundary_feature(v, false);
     }
     if (options.renumber) {
         renumber(complex);
@@ -207,7 +242,7 @@ Complex<Real> initial_complex(const Polygon& domain, std::span<const Shape> shap
     if (report != nullptr) {
         *report = found;
     }
-    return build<Real>(input, options, initial::Protection::lens);
+    return build<Real>(input, options, initial::Protection::lens, &domain);
 }
 
 template <class Real>

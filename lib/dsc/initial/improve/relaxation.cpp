@@ -24,8 +24,8 @@ constexpr double longest_edge = 1.4;   // after a collapse, over the target
 enum class Freedom : std::uint8_t { none, horizontal, vertical, full };
 
 template <class Real>
-Freedom freedom_of(const Star<Real>& star) {
-    if (!star.one_phase) {
+Freedom freedom_of(const Complex<Real>& complex, const Star<Real>& star) {
+    if (!star.one_phase || complex.is_boundary_feature(Vertex{star.vertex})) {
         return Freedom::none;
     }
     if (star.closed) {
@@ -127,7 +127,7 @@ std::size_t smooth(Complex<Real>& complex, std::span<const std::uint32_t> zone) 
             !gather(complex, Region{}, v, star)) {
             continue;
         }
-        const Freedom freedom = freedom_of(star);
+        const Freedom freedom = freedom_of(complex, star);
         const double before = worst_quality(star);
         Trial<Real> trial{star, freedom, Point<Real>(star.x0, star.y0), before};
         if (freedom != Freedom::none && before < good_star) {
@@ -156,7 +156,7 @@ std::size_t thin_out(Complex<Real>& complex, std::span<const std::uint32_t> zone
     std::vector<Corner> stack;
     for (const std::uint32_t v : zone) {
         if (!complex.is_alive(Vertex{v}) || !gather(complex, Region{}, v, star) ||
-            freedom_of(star) == Freedom::none) {
+            freedom_of(complex, star) == Freedom::none) {
             continue;
         }
         const double before = worst_quality(star);
