@@ -118,7 +118,7 @@ def plain(scene, shown, events=()):
         before, after = first[phases[0]], last.get(phases[0], 0.0)
         text += f"; at the end its area is {_grown(before, after)}"
         if abs(after / before - 1) > 0.01:
-            text += ", by the flow and by errors together (area_ratio has the errors alone)"
+            text += ", by the flow and by errors together"
     if events:
         text += f"; phases met or parted {style.counted(len(events), 'time')}"
     return text + "."

@@ -239,8 +239,10 @@ def picture(family, context):
     grid[0][0].set_ylabel("speed-up  $S(n) = t_s\\,/\\,t_n$")
     grid[1][0].set_ylabel("$S(n)\\,/\\,n$, and utilisation\n$U(n)$ = busy time / "
                           "($n\\,\\cdot$ wall time)")
-    title = f"Speed-up: {series.title(family.name)}" + (
-        ", whole runs" if family.name.endswith("_run") else "")
+    firsts = {dict(p.row.other).get("stop_after") for p in family.points + family.models}
+    part = (", whole runs" if firsts == {None} else
+            f", {series.SAID['stop_after'].format(*firsts)}" if len(firsts) == 1 else "")
+    title = f"Speed-up: {series.title(family.name)}" + (part if family.name.endswith("_run") else "")
     style.finish(fig, title, style.caption_text(context, notes), legend)
     return style.Picture(f"speedup_{family.name}", title, plain(family), fig, *table(family))
 

@@ -181,7 +181,7 @@ void add_rows(const SuiteCase& c, Suite& suite) {
         }
         if (reader.has("stop_after")) {
             reader.refuse("stop_after", "only for scenes in three dimensions",
-                          "set = { steps = ... }");
+                          R"(measure = "step", or set = { dt = ..., steps = ... })");
         }
         const scenes::Scene scene = scenes::read_scene(reader, c.scenes[i]).scene;
         const std::string name = c.names[i].empty() ? scene.name : c.names[i];

@@ -30,11 +30,11 @@
 //     seeds = [1, 2, 3]           # result: one run for each value of `seed`
 //     vertex_error = 0.1          # in three dimensions, instead of area_error: a larger root mean
 //                                 # square, in edge lengths, of the distances from the exact shape
-//
 //     stop_after = 4              # in three dimensions: only the first steps, where a whole run
-//                                 # would take hours; default: all
+//                                 # would take hours; vertex_error is then not checked; default:
+//                                 # all
 //
-// Scenes in three dimensions have measure = "run" or "model", of whole runs, and the keys name, h,
+// Scenes in three dimensions have measure = "run" or "model", and the keys name, h,
 // set, strategies, threads, submeshes, vertex_error and stop_after.
 //
 //     rows = [{ measure = "step" }]         # each is a separate case with its keys and those above
@@ -85,7 +85,7 @@ struct Comparison {
     bool same_mesh = false; ///< whether the option must not change the result
 };
 
-/// A row of whole runs in three dimensions.
+/// A row of whole runs in three dimensions, or of their first steps.
 struct SpaceRow {
     std::string name;
     std::shared_ptr<const scenes::space::Scene> scene;

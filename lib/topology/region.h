@@ -22,11 +22,11 @@ namespace dsc {
 
 /// An area that one phase has lost to another.
 struct Transfer {
-    Phase from;
-    Phase to;
-    double area;
-    Point<double> place;
-    Triangle near;
+    Phase from;          ///< which lost it
+    Phase to;            ///< which gained it
+    double area;         ///< above 0
+    Point<double> place; ///< where it lay
+    Triangle near;       ///< a triangle there
 };
 
 template <class Real>

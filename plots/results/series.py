@@ -133,7 +133,7 @@ def between(row):
 def undisturbed(bench):
     """The Points of whole runs without other work, with a core for each thread."""
     return [p for p in speedups(whole_runs(bench)) if not p.row.oversubscribed
-            and between(p.row) == 0] if bench else []
+            and between(p.row) == 0 and "stop_after" not in dict(p.row.other)] if bench else []
 
 
 def _edge_length(measurement):
@@ -195,6 +195,7 @@ def base_of(row, found):
     fitting = [r for r in found if r.strategy == "sequential" and not r.modelled
                and r.family == row.family
                and r.triangles == row.triangles
+               and mine.get("stop_after") == dict(r.other).get("stop_after")
                and all(mine.get(k, v) == v for k, v in r.other)]
     # Of several candidates, the one with the most common parameters.
     return max(fitting, key=lambda r: len(set(r.other) & set(row.other)), default=None)

@@ -204,8 +204,7 @@ class Plots(Case):
         self.assertEqual(sorted(map(tuple, frames.interface(frame))), [(1, 4), (2, 4)])
         self.assertEqual(frames.areas(frame), {0: 3.0, 1: 1.0})
         self.assertEqual(frames.plain("swirl", shown), "swirl at the beginning and at the end, with "
-                         "4 triangles; at the end its area is 50 % smaller, by the flow and by errors together "
-                         "(area_ratio has the errors alone).")
+                         "4 triangles; at the end its area is 50 % smaller, by the flow and by errors together.")
         self.assertIn("its area is 100 % larger", frames.plain("swirl", shown[::-1]))
         self.assertIn("its area is the same to 0.001 %", frames.plain("swirl", shown[:1] * 2))
 

@@ -53,6 +53,7 @@ void Complex::remove(Vertex v) {
     edges_at_[v.id].clear();
     triangles_at_[v.id].clear();
     locked.erase(v);
+    boundary_features.erase(v);
     free_.push_back(v);
 }
 

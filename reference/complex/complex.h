@@ -100,7 +100,8 @@ public:
     [[nodiscard]] std::size_t vertex_bound() const { return coords_.size(); }
 
     // --- set by the caller ----------------------------------------------------------------------
-    std::set<Vertex> locked; ///< may neither be moved nor removed
+    std::set<Vertex> locked;            ///< may neither be moved nor removed
+    std::set<Vertex> boundary_features; ///< points of the domain boundary that are kept
     // From the submeshing method (thesis, section 8.6).
     std::set<Vertex> submesh_boundary_vertices;
     std::set<EdgeKey> submesh_boundary_edges;

@@ -44,7 +44,7 @@ bool changes_topology(const EdgeKey& e, Vertex v, Vertex v_, const SimplexSet& T
 Verdict collapse_end(const EdgeKey& e, Vertex v, Complex& K) {
     if (!K.is_valid_simplex(e) || !has_vertex(e, v))
         return Verdict::not_a_simplex;
-    if (K.is_boundary(v) && !may_leave_boundary(e, v, K))
+    if (K.is_boundary(v) && (K.boundary_features.contains(v) || !may_leave_boundary(e, v, K)))
         return Verdict::on_boundary;
     if (K.is_submesh_boundary(e))
         return Verdict::on_submesh_boundary;

@@ -27,7 +27,7 @@ TEST(MakeComplex, TakesTrianglesOfEitherOrientation) {
     EXPECT_NO_THROW(test::build<double>(points, {{0, 2, 1}, {1, 0, 3}}, {0, 0}));
 }
 
-// Turns of 11.3 and of 14 degrees, and corners.
+// Turns of 11.4 and of 14.3 degrees, and corners.
 TEST(MakeComplex, MarksSharpTurnsOfTheBoundary) {
     for (const auto& [height, is_sharp] : {std::pair(0.1, false), std::pair(0.125, true)}) {
         const auto complex = test::build<double>({{0, 0}, {1, -height}, {2, 0}, {1, 1}},

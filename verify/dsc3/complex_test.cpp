@@ -30,6 +30,27 @@ TEST(Geometry3, OrientationIsExact) {
     EXPECT_EQ(orientation(q, p, r, {next, u, u}), -above);
 }
 
+// Angles are found only for tets that may have the most extreme ones.
+TEST(Geometry3, ExtremeAnglesAreThoseOfAllTets) {
+    Random random(1);
+    for (const double most : {0.02, 0.1, 0.2, 0.3, 0.5}) { // in the last meshes tets are inverted
+        Complex complex = initial::lattice({{0, 0, 0}, {4, 4, 4}});
+        for (std::uint32_t v = 0; v < complex.vertex_bound(); ++v) {
+            const Point by(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
+            complex.set_position(Vertex{v}, complex.at(v) + 2 * most * by);
+        }
+        DihedralAngles all;
+        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+            const DihedralAngles here = dihedral_angles(complex.positions_of(Tet{t}));
+            all.smallest = std::min(all.smallest, here.smallest);
+            all.largest = std::max(all.largest, here.largest);
+        }
+        const MeshQuality found = mesh_quality(complex);
+        EXPECT_EQ(found.min_dihedral, all.smallest) << most;
+        EXPECT_EQ(found.max_dihedral, all.largest) << most;
+    }
+}
+
 TEST(Geometry3, MeasuresOfTheRegularTet) {
     const std::array<Point, 4> p{Point(1, 1, 1), Point(-1, 1, -1), Point(1, -1, -1),
                                  Point(-1, -1, 1)};

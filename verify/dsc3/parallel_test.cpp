@@ -212,6 +212,8 @@ TEST(Parallel3, APartitionDividesTheDomainAndALittleAround) {
     for (int k = 0; k < 4; ++k) {
         simulation.step(grow, 0, 0.1);
     }
+    dsc::Archive archive;
+    simulation.archive(archive);
     EXPECT_GT(farthest, 0);
     EXPECT_LT(farthest, 5 * 0.1);
 }

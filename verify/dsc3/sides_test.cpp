@@ -118,7 +118,7 @@ TEST(Sides3, PartsOfBallsSlideAlongThemExactly) {
     }
 }
 
-// What a flow carries across a side stays in front of it and is told; it never ends there.
+// What a flow would carry across a side stays in front of it and is counted; it never ends there.
 TEST(Sides3, AnInterfaceStaysInFrontOfASideThatItMeets) {
     const double h = 1.0 / 12;
     const Velocity towards_x = [](std::span<const Point> p, double, std::span<Point> v) {

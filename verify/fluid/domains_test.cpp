@@ -353,7 +353,7 @@ TEST(FluidDomains, PointsWithinAStraightSideAreVertices) {
 }
 
 // A jet through a gap in the floor bends a layer that flows along it, and remeshing moves, splits
-// and merges the edges of the floor. The ends of the gap stay, and so does what flows in.
+// and merges the edges of the floor. The ends of the gap stay.
 TEST(FluidDomains, TheEndsOfASideWithinAStraightWallStay) {
     constexpr double h = 0.1;
     const Polygon domain(
@@ -385,7 +385,7 @@ TEST(FluidDomains, TheEndsOfASideWithinAStraightWallStay) {
 }
 
 // A front rotates with the fluid in half a ring whose curved sides slip. At the inner side the
-// domain turns by 11.5 degrees between two edges, and by more where the front has passed.
+// domain turns by 11.25 degrees between two edges, and by more where the front has passed.
 TEST(FluidDomains, AFrontSlidesAlongCurvedSides) {
     constexpr double h = 0.1;
     Points ring;

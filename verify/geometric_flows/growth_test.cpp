@@ -143,7 +143,7 @@ TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
     }
 }
 
-// The chords of a disc with few vertices turn like corners. They are none: a fan there would be two
+// With few vertices, the chords of a disc turn as sharply as corners. A fan there would put two
 // vertices at one place.
 TEST(Growth, TheVerticesOfASmallDiscAreNoCorners) {
     constexpr double h = 0.02;

@@ -163,6 +163,12 @@ TEST(ThreadPool, WorkersLeaveTheCoreToWhichTheCallerWasMoved) {
     if (cores.size() < 2 || std::getenv("OMP_PROC_BIND") != nullptr) {
         GTEST_SKIP() << "one core, or bound to one";
     }
+    cpu_set_t two; // the worker has no third core to go to
+    CPU_ZERO(&two);
+    for (const std::size_t core : cores) {
+        CPU_SET(core, &two);
+    }
+    ASSERT_EQ(sched_setaffinity(0, sizeof two, &two), 0);
     ThreadPool pool(microseconds(1000000));
     pool.start(2);
     for (const std::size_t core : cores) {
@@ -185,6 +191,7 @@ TEST(ThreadPool, WorkersLeaveTheCoreToWhichTheCallerWasMoved) {
             std::this_thread::sleep_for(microseconds(300));
         }
         EXPECT_LE(on_callers_core, beside) << "core " << core;
+        EXPECT_GT(beside, 0) << "core " << core;
     }
     sched_setaffinity(0, sizeof allowed, &allowed);
 }

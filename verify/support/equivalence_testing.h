@@ -80,6 +80,9 @@ reference::Complex copy_out(const Complex<Real>& complex, const Region& region) 
         if (complex.is_locked(v)) {
             K.locked.insert(v);
         }
+        if (complex.is_boundary_feature(v)) {
+            K.boundary_features.insert(v);
+        }
     }
     return K;
 }

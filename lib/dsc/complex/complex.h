@@ -151,8 +151,9 @@ public:
     /// Makes a vertex of the interface a feature, or an ordinary point of its curve. The next step
     /// takes account of it; O(1).
     void set_feature(Vertex v, bool feature) { set_flag(v, vertex_feature, feature); }
-    /// Whether the vertex is a feature of the domain boundary: it is kept where it is, such as the
-    /// end of a side. `make_complex` marks sharp turns (`side_turn_degrees`).
+    /// Whether the vertex is marked as a feature of the domain boundary, which is kept where it is,
+    /// such as the end of a side. `make_complex` marks turns above `side_turn_degrees`; turns above
+    /// `side_corner_degrees`, such as the corners of a rectangle, are kept also without a mark.
     [[nodiscard]] bool is_boundary_feature(Vertex v) const {
         return (vertices[v.id].flags & vertex_boundary_feature) != 0;
     }

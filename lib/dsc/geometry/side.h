@@ -74,7 +74,7 @@ template <class Real>
 }
 
 /// Whether the domain keeps its shape, up to rounding or `side_deviation`, if the vertex `at` of
-/// its boundary is removed, which is not marked. O(1).
+/// its boundary, which is not marked, is removed. O(1).
 template <class Real>
 [[nodiscard]] bool may_leave_side(const Point<Real>& from, const Point<Real>& at,
                                   const Point<Real>& to) {
@@ -111,10 +111,9 @@ template <class Real>
     return from + along * way + y * Point<Real>(way.y(), -way.x());
 }
 
-/// The position that a vertex of the domain boundary with this target takes, which is not marked:
-/// it slides along a straight side, and stays at a sharp turn. On a curved side only the ends of
-/// curves slide; other vertices stay, because each move changes the shape of the domain slightly.
-/// O(1).
+/// The position that an unmarked vertex of the domain boundary with this target takes: it slides
+/// along a straight side, and stays at a sharp turn. On a curved side only the ends of curves
+/// slide; other vertices stay, because each move changes the shape of the domain slightly. O(1).
 template <class Real>
 [[nodiscard]] Point<Real> slid_on_side(const Point<Real>& from, const Point<Real>& at,
                                        const Point<Real>& to, const Point<Real>& target,

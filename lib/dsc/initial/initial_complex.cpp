@@ -90,7 +90,7 @@ std::vector<Vertex> hold(Complex<Real>& complex, const Polygon& domain) {
     return held;
 }
 
-// A complex with these paths as its interface; `domain` unless it is a rectangle.
+// A complex with these paths as its interface. `domain` is null for a rectangle.
 template <class Real>
 Complex<Real> build(const initial::CheckedInput& input, const InitialOptions& options,
                     initial::Protection protection, const Polygon* domain = nullptr) {

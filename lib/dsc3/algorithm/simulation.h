@@ -63,8 +63,7 @@ public:
     /// and this is the report of the sub-steps before: `reached` is the time of the complex.
     [[nodiscard]] const StepReport& report() const { return report_; }
 
-    /// The times of the last step; empty unless `Parallel::profile` asks for them, and after a
-    /// state was read.
+    /// The times of the last step; empty without `Parallel::profile`, and after a state was read.
     [[nodiscard]] const StepProfile& profile() const { return team_.profile(); }
 
     /// Writes the whole state, the complex included, or reads it back into a simulation with the

@@ -53,9 +53,10 @@ struct CutTree {
     [[nodiscard]] Real distance(const Point& p) const;
 };
 
-/// An application's own division: the number of the submesh at a place. Called for every vertex,
-/// and for places up to a few edge lengths outside of the domain, by several threads at once; must
-/// return the same number for the same place, and must not throw.
+/// An application's own division: the number of the submesh at a place. Called for every living
+/// vertex, also of a state that is being read, whatever its domain, and for places up to a few edge
+/// lengths outside of the domain, by several threads at once; must return the same number for the
+/// same place, and must not throw.
 using Partition = std::function<std::uint32_t(const Point& place)>;
 
 /// The submeshes of all vertices in all colours.

@@ -55,6 +55,7 @@ void Submeshes::archive(dsc::Archive& archive) {
     places_.resize(archive.length(places_.size(), sizeof(Point)));
     for (Point& p : places_) {
         archive.raw(p.data(), sizeof p);
+        archive.expect(p.allFinite(), "contains a place of work that is not finite");
     }
 }
 

@@ -56,9 +56,9 @@ public:
     [[nodiscard]] Ownership& ownership() { return ownership_; }
     /// Adds counts, changed tets and new interface vertices of all submeshes to those of `work`.
     void hand_over(Workspace& work);
-    /// A number for the division and the number of submeshes, by the options; two partitions of
-    /// the application's own differ in it, up to chance, if they divide the complex differently.
-    /// O(vertices) for a partition.
+    /// A number for the division and the number of submeshes, by the options. Partitions of an
+    /// application that divide the complex differently have different numbers, except by chance (1
+    /// in 65,536). O(vertices) for a partition.
     [[nodiscard]] std::uint32_t kind() const;
     /// The next division depends on where the work was: writes it or reads it back.
     void archive(dsc::Archive& archive);

@@ -38,10 +38,11 @@ std::vector<InterfaceFace> interface_faces(const Complex& complex) {
 
 namespace {
 
-// The sine of a dihedral angle is det * l / (n m): l is the length of its edge, n and m are twice
-// the areas of its faces, the heights of which over the edge are at most sqrt(S / 6) each if
-// l = sqrt(S / 6) too, where S is the sum of all squared edges, and n m / l is then largest. So the
-// sine is at least quality / sqrt(2). Returns a quality from which all angles lie between the two.
+// The sine of a dihedral angle is det * l / (n m): l is the length of its edge; n = l g and m = l h
+// are twice the areas of its faces, with heights g and h over the edge. The two other edges of a
+// face have squares that sum to at least l^2 / 2 + 2 g^2, so the sum S of all six is at least
+// 2 (l^2 + g^2 + h^2), and l g h is at most (S / 6)^1.5. So the sine is at least
+// quality / sqrt(2). Returns a quality from which all angles lie between the two.
 Real certain_quality(Real smallest, Real largest) {
     constexpr Real degree = std::numbers::pi / 180;
     constexpr Real factor = 1.42; // a little more than sqrt(2), for rounding

@@ -79,7 +79,7 @@ std::string_view SideConditions::nearest_name(const Point<double>& place) const 
     if (boxes_.empty()) {
         return {};
     }
-    Near best{std::numeric_limits<double>::infinity(), options_.domain_edges.size()};
+    Near best{std::numeric_limits<double>::infinity(), 0};
     search(1, place, best);
     return options_.domain_edges[best.edge].side;
 }

@@ -195,8 +195,9 @@ void check_ends_exist(const MeshSnapshot& mesh, const FluidOptions& options,
                 {.what = "two sides meet where the mesh has no vertex",
                  .where = "FluidOptions::domain_edges",
                  .value = to_text(one.at) + ", " + to_text(nearest) + " from the nearest one",
-                 .allowed = "an edge length of at most five times the distance to the "
-                            "next point of the outline, or Detail::keep"});
+                 .allowed = "a mesh with a vertex there: initial_complex of a Polygon with this "
+                            "point, with an edge length of at most five times the distance to the "
+                            "next one, or Detail::keep"});
         }
     }
 }
@@ -224,6 +225,9 @@ void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options) {
 }
 
 std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh, const FluidOptions& options) {
+    if (options.wall_at) {
+        return {};
+    }
     const std::vector<WallEdge> edges = edges_of(mesh, options);
     std::vector<const WallEdge*> before(mesh.vertex_bound, nullptr);
     for (const WallEdge& edge : edges) {

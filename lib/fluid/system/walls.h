@@ -31,12 +31,13 @@ struct FluidWalls {
 
 /// Throws InputError if a side with a condition is on no edge of the mesh, or two sides meet within
 /// a straight wall where there is no vertex. To be called at the start alone: a side shorter than
-/// an edge may vanish later. O(n sides + n log n), and O(n) for each
-/// such point.
+/// an edge may vanish later. O(n sides + n log n), and O(n) for each such point.
 void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
 
 /// The vertices at which two edges of the boundary with different conditions meet, unless an
-/// interface can slide along both: they slip, or are open, alike. O(n), as `walls_of`.
+/// interface can slide along both: they slip, or are open, alike. None with `wall_at`, whose ends
+/// need not be vertices. O(n), and O(log e) for each edge of the boundary, for e edges of the
+/// domain.
 [[nodiscard]] std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh,
                                                 const FluidOptions& options);
 

@@ -7,9 +7,12 @@ from . import _dsc, arrays
 
 def sealed(name, **state):
     """The bytes of these values. Raises InputError, whose message begins with the name, where one cannot be pickled."""
-    for key, value in state.items():
-        _expect_picklable(f"{name}: {key}", value)
-    return _dsc.sealed(pickle.dumps(state))
+    try:
+        return _dsc.sealed(pickle.dumps(state))
+    except (AttributeError, TypeError, pickle.PicklingError):
+        for key, value in state.items():
+            _expect_picklable(f"{name}: {key}", value)
+        raise
 
 
 def unsealed(state, name, *keys):

@@ -88,7 +88,8 @@ Phase phase_around(const Setup& setup, std::size_t i) {
 
 // Those of the measured phase, with shapes of other phases in them as holes; or of the only phase.
 std::vector<FirstShape> first_shapes(const std::vector<ShapeSource>& shapes, const Setup& setup) {
-    if (shapes.size() == 1 && shapes.front().source.curve) {
+    if (shapes.size() == 1 && shapes.front().source.curve &&
+        setup.measured.value_or(setup.phases.front()) == setup.phases.front()) {
         return {{*shapes.front().source.curve}};
     }
     std::vector<FirstShape> first;

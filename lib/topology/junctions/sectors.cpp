@@ -103,7 +103,8 @@ bool may_split(const Complex<Real>& complex, Vertex v, Real shortest) {
         }
     });
     if (is_on_boundary) {
-        return curves > 1 || (curves == 1 && (has_short_boundary || turns(complex, v)));
+        return curves > 1 || (curves == 1 && (has_short_boundary ||
+                                              complex.is_boundary_feature(v) || turns(complex, v)));
     }
     return curves > 3 || (curves == 3 && has_short_curve);
 }

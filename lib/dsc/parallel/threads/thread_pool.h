@@ -29,6 +29,7 @@ inline void pause_briefly() {
 /// the core is yielded to other threads.
 class WaitingTurns {
 public:
+    /// One turn of the loop. O(1).
     void wait() {
         constexpr int turns_before_yield = 2000;
         if (turns_ < turns_before_yield) {
@@ -38,6 +39,7 @@ public:
             std::this_thread::yield();
         }
     }
+    /// The next turns are brief again.
     void start_over() { turns_ = 0; }
 
 private:
