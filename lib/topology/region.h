@@ -35,18 +35,19 @@ struct SightScratch; // films/sight.h
 /// The state that changes of topology work on.
 template <class Real>
 struct TopologyWork {
-    Complex<Real>& complex;
-    const TopologyOptions<Real>& options;
-    Real edge_length;
-    double time; ///< of the events
-    std::vector<Event>& events;
+    Complex<Real>& complex;                        ///< is changed
+    const TopologyOptions<Real>& options;          ///< of the stage
+    Real edge_length;                              ///< of the interface
+    double time;                                   ///< of the events
+    std::vector<Event>& events;                    ///< what happens is appended
     std::span<const std::uint32_t> interface = {}; ///< its vertices
     std::uint32_t round = 0;                       ///< of the notes on them
     bool is_again = false; ///< stages have edited the complex since the notes were made
     /// Whether a vertex of the interface is blocked, or may be.
     bool has_blocked = true;
-    const InShares& in_shares = one_by_one; ///< the threads of the step
-    VertexAttribute<Note>& notes = notes_of(complex);
+    const InShares& in_shares = one_by_one;           ///< the threads of the step
+    VertexAttribute<Note>& notes = notes_of(complex); ///< on each star
+    /// Where the vertices were when the notes were made.
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
     /// Vertices of triangles that changed their phase; some may now have too many sectors.
     std::vector<Vertex> touched = {};
@@ -159,6 +160,7 @@ template <class Real>
     return doubled_area(complex, t) / std::sqrt(longest);
 }
 
+/// The centre of gravity of a triangle. O(1).
 template <class Real>
 [[nodiscard]] Point<Real> centroid(const Complex<Real>& complex, Triangle t) {
     const auto v = complex.vertices_of(t);

@@ -31,17 +31,20 @@ enum class SimplexKind : std::uint8_t { vertex, edge, triangle };
 /// dimensions tets take the place of triangles.
 template <class Handle>
 struct HandleKind {};
+/// Of vertices.
 template <>
 struct HandleKind<Vertex> {
-    static constexpr SimplexKind value = SimplexKind::vertex;
+    static constexpr SimplexKind value = SimplexKind::vertex; ///< the kind
 };
+/// Of edges.
 template <>
 struct HandleKind<Edge> {
-    static constexpr SimplexKind value = SimplexKind::edge;
+    static constexpr SimplexKind value = SimplexKind::edge; ///< the kind
 };
+/// Of triangles.
 template <>
 struct HandleKind<Triangle> {
-    static constexpr SimplexKind value = SimplexKind::triangle;
+    static constexpr SimplexKind value = SimplexKind::triangle; ///< the kind
 };
 
 /// `Vertex`, `Edge`, `Triangle` and others that have a kind.

@@ -27,8 +27,8 @@ namespace dsc {
 /// A polygon and the phase inside it. Rings may run either way, repeat their first point at the
 /// end, touch each other and reach beyond the domain, but not cross.
 struct Shape {
-    std::vector<Point<double>> outline;
-    Phase phase = 1; ///< differs from the phase around the shape
+    std::vector<Point<double>> outline; ///< its first ring
+    Phase phase = 1;                    ///< differs from the phase around the shape
     /// Further rings: by the even-odd rule, holes in the outline, islands in these, and other
     /// parts.
     std::vector<std::vector<Point<double>>> holes = {};
@@ -55,7 +55,7 @@ struct Polygon {
     Polygon(std::vector<Point<double>> ring, std::vector<std::vector<Point<double>>> further = {})
         : outline(std::move(ring)), holes(std::move(further)) {}
 
-    std::vector<Point<double>> outline;
+    std::vector<Point<double>> outline; ///< its first ring
     /// Further rings: by the even-odd rule, holes in the outline, islands in these, and other
     /// parts.
     std::vector<std::vector<Point<double>>> holes;

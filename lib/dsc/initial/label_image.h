@@ -12,8 +12,8 @@ namespace dsc {
 
 /// Pixels of phases. Pixels of one phase that share a side belong to one grain.
 struct LabelImage {
-    std::size_t rows = 0;
-    std::size_t columns = 0;
+    std::size_t rows = 0;      ///< of pixels
+    std::size_t columns = 0;   ///< of pixels
     std::vector<Phase> labels; ///< row by row from the top
     /// Grains of fewer pixels are merged into the neighbour with which they share the longest
     /// border.

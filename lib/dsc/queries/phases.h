@@ -94,7 +94,7 @@ template <class Real>
 
 /// The connected parts of a complex, numbered in the order of the smallest triangle of each.
 struct Parts {
-    std::uint32_t count = 0;
+    std::uint32_t count = 0;       ///< of parts
     std::vector<std::uint32_t> of; ///< by id of the triangle; `no_id` where none lives
 };
 

@@ -13,26 +13,26 @@ namespace dsc {
 /// A vertex of a front, and what it sees across a film.
 template <class Real>
 struct Sight {
-    std::uint32_t v = no_id;
-    std::uint32_t q = no_id; ///< a vertex of the other front...
-    Corner edge = no_id;     ///< ...or the edge on which its foot lies,
-    Real share = 0;          ///< at this share of it
-    Real gap = 0;
-    Phase film = 0;
+    std::uint32_t v = no_id;                    ///< the vertex
+    std::uint32_t q = no_id;                    ///< a vertex of the other front...
+    Corner edge = no_id;                        ///< ...or the edge on which its foot lies,
+    Real share = 0;                             ///< at this share of it
+    Real gap = 0;                               ///< the distance of the two fronts
+    Phase film = 0;                             ///< between them
     Phase one = 0;                              ///< beyond v
     Phase other = 0;                            ///< beyond q
     Point<Real> normal_v = Point<Real>::Zero(); ///< of the fronts, into the film
-    Point<Real> normal_q = Point<Real>::Zero();
-    Real speed_v = 0; ///< ways towards each other in the last sub-step
-    Real speed_q = 0;
-    bool is_on_boundary = false; ///< both lie on the domain boundary
+    Point<Real> normal_q = Point<Real>::Zero(); ///< the same at q
+    Real speed_v = 0;                           ///< ways towards each other in the last sub-step
+    Real speed_q = 0;                           ///< the same at q
+    bool is_on_boundary = false;                ///< both lie on the domain boundary
 };
 
 /// The arrays of one thread.
 template <class Real>
 struct SightScratch {
-    Sectors<Real> here;
-    Sectors<Real> there;
+    Sectors<Real> here;  ///< at the vertex
+    Sectors<Real> there; ///< at the vertex of the other front
 };
 
 /// The nearest that meets the vertex now, or would in the next sub-step. Only

@@ -14,7 +14,7 @@ namespace dsc {
 /// the domain boundary.
 template <class Real>
 struct Sector {
-    Phase phase;
+    Phase phase;       ///< of its triangles
     Corner first;      ///< at the vertex, in the sector's first triangle
     std::size_t count; ///< of its triangles, counter-clockwise
     Point<Real> ray;   ///< unit direction of the sector's first edge
@@ -25,17 +25,22 @@ struct Sector {
 /// other.
 template <class Real>
 struct Sectors {
-    std::vector<Sector<Real>> list;
-    bool is_on_boundary = false;
-    bool is_at_corner = false; ///< the vertex is a feature of the domain boundary
+    std::vector<Sector<Real>> list; ///< counter-clockwise
+    bool is_on_boundary = false;    ///< the vertex lies on the domain boundary
+    bool is_at_corner = false;      ///< the vertex is a feature of the domain boundary
     Point<Real> end; ///< on the domain boundary: unit direction of the edge after the last sector
 
+    /// The number of sectors. O(1), as those below.
     [[nodiscard]] std::size_t size() const { return list.size(); }
+    /// The sector k.
     [[nodiscard]] const Sector<Real>& operator[](std::size_t k) const { return list[k]; }
+    /// The sector before, or the last one before the first.
     [[nodiscard]] const Sector<Real>& before(std::size_t k) const {
         return list[(k + size() - 1) % size()];
     }
+    /// The sector after, or the first one after the last.
     [[nodiscard]] const Sector<Real>& after(std::size_t k) const { return list[(k + 1) % size()]; }
+    /// Whether the sector k is the first or last one at the domain boundary.
     [[nodiscard]] bool is_beside_boundary(std::size_t k) const {
         return is_on_boundary && (k == 0 || k + 1 == size());
     }
