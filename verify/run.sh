@@ -109,9 +109,13 @@ if $quick; then
     run_tests release
     run_gate "${quick_checks[@]}"
     with_release=false
-elif $all; then
-    install_packages "${guide_packages[@]}" "${browser_packages[@]}" "${reader_packages[@]}" \
-        "${workflow_packages[@]}"
+else
+    if $with_release; then
+        install_packages "${guide_packages[@]}"
+    fi
+    if $all; then
+        install_packages "${browser_packages[@]}" "${reader_packages[@]}" "${workflow_packages[@]}"
+    fi
 fi
 if $with_sanitizers; then
     set_up tsan

@@ -10,9 +10,10 @@ build_packages=(cmake g++ ninja-build git libeigen3-dev libboost-dev zlib1g-dev 
     nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev
     python3-yaml pybind11-dev python3-dev python3-numpy python3-venv)
 plot_packages=(python3 python3-matplotlib python3-meshio)
-# For the tests that only `verify/run.sh --all` needs: the reference pages, a browser for the page of
-# the report, programs that read frames, and the workflow engine of bench/Snakefile.
+# For the reference pages, which `verify/run.sh` tests unless it is quick.
 guide_packages=(doxygen)
+# For the tests that only `verify/run.sh --all` needs: a browser for the page of the report, programs
+# that read frames, and the workflow engine of bench/Snakefile.
 browser_packages=(chromium chromium-driver python3-selenium)
 reader_packages=(python3-vtk9)
 workflow_packages=(snakemake)
