@@ -193,6 +193,10 @@ private:
         if (angle * bend.turn <= 0) {
             return; // nearly a half turn
         }
+        if (std::abs(angle) < smooth_) { // the chords of one bend, and no feature
+            complex_.set_feature(Vertex{v}, false);
+            return;
+        }
         const auto edges = std::min(static_cast<std::uint32_t>(std::ceil(std::abs(angle) / fan_)),
                                     max_members - 1);
         const std::uint32_t before = edges / 2;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Growth along the normal against exact shapes: corners that open, notches that stay sharp, and
 // both when the flow reverses.
+#include "support/random/scene.h"
 #include "support/topology/growth_testing.h"
+
+#include "measures/mesh_quality.h"
 
 #include <gtest/gtest.h>
 
@@ -137,6 +140,25 @@ TEST(Growth, TheVerticesOfAnEllipseStayOnItsParallelCurveToFourthOrder) {
             return sum / static_cast<double>(growing.simulation().interface_size());
         });
         EXPECT_LT(errors[1], 2e-8);
+    }
+}
+
+// The chords of a disc with few vertices turn like corners. They are none: a fan there would be two
+// vertices at one place.
+TEST(Growth, TheVerticesOfASmallDiscAreNoCorners) {
+    constexpr double h = 0.02;
+    constexpr double grown = 0.1;
+    const Point<double> centre(0.5, 0.5);
+    for (const int n : {11, 12}) {
+        const double radius = n * h / (2 * pi);
+        auto complex = complex_of(test::circle_points(centre, radius, n), h);
+        GrowingShape growing(complex, h, {.speeds = {{1, 0, 1.0}}});
+        EXPECT_EQ(growing.run(0, grown), 0U);
+        EXPECT_GT(scenes::measure_quality(complex).min_angle_deg, 10) << n;
+        for (const std::uint32_t v : growing.simulation().interface()) {
+            const double distance = (complex.position(Vertex{v}) - centre).norm();
+            EXPECT_NEAR(distance, radius + grown, 0.01 * h) << n;
+        }
     }
 }
 
