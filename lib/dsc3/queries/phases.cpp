@@ -3,6 +3,10 @@
 
 #include "dsc3/geometry/tet.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace dsc3 {
 
 Real phase_volume(const Complex& complex, Phase phase) {
@@ -32,15 +36,36 @@ std::vector<InterfaceFace> interface_faces(const Complex& complex) {
     return faces;
 }
 
+namespace {
+
+// The sine of a dihedral angle is det * l / (n m): l is the length of its edge, n and m are twice
+// the areas of its faces, the heights of which over the edge are at most sqrt(S / 6) each if
+// l = sqrt(S / 6) too, where S is the sum of all squared edges, and n m / l is then largest. So the
+// sine is at least quality / sqrt(2). Returns a quality from which all angles lie between the two.
+Real certain_quality(Real smallest, Real largest) {
+    constexpr Real degree = std::numbers::pi / 180;
+    constexpr Real factor = 1.42; // a little more than sqrt(2), for rounding
+    return largest > 90 ? factor * std::max(std::sin(smallest * degree), std::sin(largest * degree))
+                        : 2;
+}
+
+} // namespace
+
 MeshQuality mesh_quality(const Complex& complex) {
     MeshQuality result;
+    Real relevant = 2; // no tet of this quality has a more extreme angle
     for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
-        if (complex.is_alive(Tet{t})) {
-            const auto p = complex.positions_of(Tet{t});
+        if (!complex.is_alive(Tet{t})) {
+            continue;
+        }
+        const auto p = complex.positions_of(Tet{t});
+        const Real here = quality(p[0], p[1], p[2], p[3]);
+        result.worst = std::min(result.worst, here);
+        if (here < relevant) {
             const DihedralAngles angles = dihedral_angles(p);
-            result.worst = std::min(result.worst, quality(p[0], p[1], p[2], p[3]));
             result.min_dihedral = std::min(result.min_dihedral, angles.smallest);
             result.max_dihedral = std::max(result.max_dihedral, angles.largest);
+            relevant = certain_quality(result.min_dihedral, result.max_dihedral);
         }
     }
     for (const InterfaceFace& face : interface_faces(complex)) {
