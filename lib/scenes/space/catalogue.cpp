@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "flows/sine_cosine.h"
 #include "scenes/space/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -99,11 +101,17 @@ Setup enright(const Parameters& p) {
     }
     setup.velocity = [period](Positions positions, double time, Velocities velocities) {
         const double factor = std::cos(pi * time / period);
+        constexpr std::size_t block = 64;
+        std::array<Point, block> sine;
+        std::array<Point, block> cosine;
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            const Point at = pi * positions[i];
-            const Point s(std::sin(at.x()), std::sin(at.y()), std::sin(at.z()));
-            const Point d(2 * s.x() * std::cos(at.x()), 2 * s.y() * std::cos(at.y()),
-                          2 * s.z() * std::cos(at.z()));
+            const std::size_t k = i % block;
+            if (k == 0) {
+                const std::size_t count = std::min(block, positions.size() - i);
+                sine_cosine_pi(positions[i].data(), 3 * count, sine[0].data(), cosine[0].data());
+            }
+            const Point& s = sine[k];
+            const Point d = 2 * s.cwiseProduct(cosine[k]);
             velocities[i] = {2 * factor * s.x() * s.x() * d.y() * d.z(),
                              -factor * d.x() * s.y() * s.y() * d.z(),
                              -factor * d.x() * d.y() * s.z() * s.z()};
