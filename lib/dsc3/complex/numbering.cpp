@@ -58,6 +58,46 @@ std::vector<std::uint32_t> numbers(Order& order, std::uint32_t bound, std::uint3
 
 } // namespace
 
+void renumber_tets(Complex& complex) {
+    const Morton morton(complex);
+    Order order;
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        if (complex.is_alive(Tet{t})) {
+            const auto p = complex.positions_of(Tet{t});
+            order.emplace_back(morton(0.25 * (p[0] + p[1] + p[2] + p[3])), t);
+        }
+    }
+    auto tet = numbers(order, complex.tet_bound(), 1);
+    tet[border_tet] = border_tet;
+    const auto corner = [&](Corner c) {
+        return is_border(c) ? c : corner_of(tet[tet_of(c)], index_of(c));
+    };
+    for (VertexRecord& vertex : complex.vertices) {
+        if (vertex.corner != no_id) {
+            vertex.corner = corner(vertex.corner);
+        }
+    }
+    std::vector<TetRecord> tets(order.size() + 1);
+    std::vector<Phase> phases(order.size() + 1);
+    tets[border_tet] = complex.tets[border_tet];
+    phases[border_tet] = complex.phases[border_tet];
+    std::vector<std::uint32_t> old{border_tet};
+    for (const auto& [index, t] : order) {
+        TetRecord& record = tets[tet[t]];
+        phases[tet[t]] = complex.phases[t];
+        record.v = complex.tets[t].v;
+        for (std::uint32_t i = 0; i < 4; ++i) {
+            record.n[i] = corner(complex.tets[t].n[i]);
+        }
+        old.push_back(t);
+    }
+    complex.tets = std::move(tets);
+    complex.phases = std::move(phases);
+    complex.free_tets.clear();
+    complex.attributes.permute(dsc::SimplexKind::triangle, old);
+    ++complex.version;
+}
+
 void renumber(Complex& complex) {
     const Morton morton(complex);
     Order by_vertex;

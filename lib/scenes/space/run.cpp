@@ -146,6 +146,10 @@ private:
 
     void step() {
         const Stopwatch watch;
+        constexpr int renumbered_every = 8;
+        if (result_.steps > 0 && result_.steps % renumbered_every == 0) {
+            dsc3::renumber_tets(complex_);
+        }
         const dsc3::StepReport step =
             simulation_->step(setup_.velocity, result_.steps * setup_.dt, setup_.dt);
         const double wall = watch.wall();
