@@ -24,78 +24,105 @@ constexpr Real insertion_quality = 0.02;
 // In edge lengths: flips of caps move the interface by less.
 constexpr Real cap_gap = 0.06;
 
-// The other face of the star at the edge to `face.x`.
-const StarFace* across(const InterfaceStar& interface_star, const StarFace& face) {
-    const auto at = std::find_if(interface_star.faces.begin(), interface_star.faces.end(),
-                                 [&](const StarFace& other) { return other.y == face.x; });
-    return at == interface_star.faces.end() || at->x == face.y ? nullptr : &*at;
+// The vertex opposite to the edge (a, b) in the other face of the interface beside a tet, which has
+// the face (a, b, c) of the interface; `no_id` if the interface ends there on a side.
+std::uint32_t opposite(const Complex& complex, Corner corner, std::uint32_t c) {
+    const Phase phase = complex.phase_at(corner);
+    std::uint32_t at = tet_of(corner);
+    std::uint32_t next = complex.vertex(corner);
+    for (;;) {
+        const TetRecord& tet = complex.tets[at];
+        const Corner other = tet.n[index_in(tet, c)];
+        if (is_border(other)) {
+            return no_id;
+        }
+        if (complex.phase_at(other) != phase) {
+            return next;
+        }
+        at = tet_of(other);
+        c = next;
+        next = complex.vertex(other);
+    }
 }
 
-// Finds edges to be collapsed, split or flipped at these vertices; each edge is examined from its
-// lower vertex.
-void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
+// Which edges of the interface are examined at a tet.
+enum class Sight : std::uint8_t {
+    once, // each edge at one of the tets around it, at least, if all tets are visited
+    all,
+};
+
+// Finds edges to be collapsed, split or flipped at the faces of a tet.
+void look_at(PassState& state, std::uint32_t t, std::uint32_t chunk, Sight sight) {
     const Complex& complex = state.complex;
     const auto& thresholds = state.options.interface;
     const Real h = state.options.edge_length;
     const Real shortest = thresholds.shortest * h * (thresholds.shortest * h);
     const Real longest = thresholds.longest * h * (thresholds.longest * h);
-    const auto look_at = [&](std::uint32_t v, std::uint32_t chunk, ThreadScratch& scratch) {
-        gather(complex, v, scratch.star);
-        gather(complex, scratch.star, scratch.interface_star);
-        auto& faces = scratch.interface_star.faces;
-        if (complex.is_boundary(Vertex{v})) {
-            std::erase_if(faces, [](const StarFace& face) { return face.tet == border_tet; });
+    const TetRecord& tet = complex.tets[t];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+        const Phase beyond = complex.phase_at(tet.n[i]);
+        if (beyond == complex.phases[t] || is_border(tet.n[i]) ||
+            (sight == Sight::once && beyond > complex.phases[t])) {
+            continue;
         }
-        const auto is_seen_elsewhere = [&](std::uint32_t x) {
-            return v > x && std::binary_search(vertices.begin(), vertices.end(), x);
-        };
-        const Point& pv = complex.at(v);
-        for (const StarFace& face : faces) {
-            // In a sheet each neighbour is x of one face; at a curve it may be y of all.
-            const std::uint32_t y = face.y;
-            if (std::any_of(faces.begin(), faces.end(),
-                            [&](const StarFace& other) { return other.x == y; }) ||
-                is_seen_elsewhere(y)) {
+        const auto face = complex.face(corner_of(t, i));
+        for (std::uint32_t j = 0; j < 3; ++j) {
+            const std::uint32_t a = face[j];
+            const std::uint32_t b = face[(j + 1) % 3];
+            // The phase rises and falls around an edge, so two of its faces are oriented unlike;
+            // but an edge on a side may have one.
+            if (sight == Sight::once && a > b && complex.fixed_along(a, b) == 0) {
                 continue;
             }
-            const Real square = squared_distance(pv, complex.at(y));
-            const WantingEdge edge{square, std::min(v, y), std::max(v, y)};
+            const Point& pa = complex.at(a);
+            const Point& pb = complex.at(b);
+            const Real square = squared_distance(pa, pb);
+            const WantingEdge edge{square, std::min(a, b), std::max(a, b)};
             if (square < shortest) {
                 state.short_edges[chunk].push_back(edge);
             } else if (square > longest) {
                 state.long_edges[chunk].push_back(edge);
+            } else {
+                const std::uint32_t c = face[(j + 2) % 3];
+                const std::uint32_t d = opposite(complex, corner_of(t, i), c);
+                if (d != no_id &&
+                    wants_flip(pa, pb, complex.at(c), complex.at(d), FlipRules{}.slack)) {
+                    state.flips[chunk].push_back(edge);
+                }
             }
         }
-        for (const StarFace& face : faces) {
-            const std::uint32_t x = face.x;
-            if (is_seen_elsewhere(x)) {
-                continue;
-            }
-            const Point& px = complex.at(x);
-            const Real square = squared_distance(pv, px);
-            const WantingEdge edge{square, std::min(v, x), std::max(v, x)};
-            if (square < shortest) {
-                state.short_edges[chunk].push_back(edge);
-            } else if (square > longest) {
-                state.long_edges[chunk].push_back(edge);
-            } else if (const StarFace* other = across(scratch.interface_star, face);
-                       other != nullptr && wants_flip(pv, px, complex.at(face.y),
-                                                      complex.at(other->x), FlipRules{}.slack)) {
-                state.flips[chunk].push_back(edge);
-            }
-        }
-    };
+    }
+}
+
+// By length, then by id, each edge once, so that the order does not depend on that of the search.
+template <class Before>
+void sort(std::vector<WantingEdge>& edges, Before before) {
+    std::sort(edges.begin(), edges.end(), [&](const WantingEdge& x, const WantingEdge& y) {
+        return x.square != y.square ? before(x.square, y.square)
+                                    : std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [](const WantingEdge& x, const WantingEdge& y) {
+                                return x.a == y.a && x.b == y.b;
+                            }),
+                edges.end());
+}
+
+// Looks at the tets `tet(k)`, k < n.
+template <class Tets>
+void look(PassState& state, std::size_t n, Tets tet, Sight sight) {
     for (auto* lists : {&state.short_edges, &state.long_edges, &state.flips}) {
         for (auto& list : *lists) {
             list.clear();
         }
     }
-    constexpr std::size_t grain = 64;
+    constexpr std::size_t grain = 1024;
     const std::uint32_t chunks = state.team.chunks(
-        vertices.size(), grain,
-        [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t thread) {
+        n, grain, [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t) {
             for (std::size_t k = begin; k < end; ++k) {
-                look_at(vertices[k], chunk, state.threads[thread]);
+                if (state.complex.is_alive(Tet{tet(k)})) {
+                    look_at(state, tet(k), chunk, sight);
+                }
             }
         });
     state.too_short.clear();
@@ -104,15 +131,9 @@ void look(PassState& state, const std::vector<std::uint32_t>& vertices) {
     append_chunks(state.too_short, state.short_edges, chunks);
     append_chunks(state.too_long, state.long_edges, chunks);
     append_chunks(state.to_flip, state.flips, chunks);
-}
-
-// By length, then by id, so that the order does not depend on that of the search.
-template <class Before>
-void sort(std::vector<WantingEdge>& edges, Before before) {
-    std::sort(edges.begin(), edges.end(), [&](const WantingEdge& x, const WantingEdge& y) {
-        return x.square != y.square ? before(x.square, y.square)
-                                    : std::pair(x.a, x.b) < std::pair(y.a, y.b);
-    });
+    sort(state.too_short, std::less<>());
+    sort(state.too_long, std::greater<>());
+    sort(state.to_flip, std::less<>());
 }
 
 // Edits edges in submeshes and then those that are left; `edit(work, edge)` returns a verdict. Two
@@ -143,7 +164,6 @@ void edit_edges(PassState& state, std::vector<WantingEdge>& edges, Edit edit) {
 }
 
 void collapse_short(PassState& state) {
-    sort(state.too_short, std::less<>());
     const auto& thresholds = state.options.interface;
     const Real h = state.options.edge_length;
     const Real always = thresholds.always * h * (thresholds.always * h);
@@ -169,7 +189,6 @@ bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
 }
 
 void split_long(PassState& state) {
-    sort(state.too_long, std::greater<>());
     Complex& complex = state.complex;
     for (const WantingEdge& edge : state.too_long) {
         const EdgeAt at = find_edge(complex, edge.a, edge.b, state.work.star);
@@ -198,22 +217,23 @@ void flip(PassState& state) {
     });
 }
 
-// Finds the interface vertices of the tets written since `first`, by ascending id.
-void find_around(PassState& state, std::size_t first) {
-    auto& around = state.around;
-    around.clear();
-    const auto& changed = state.work.rewiring.changed;
-    for (std::size_t i = first; i < changed.size(); ++i) {
-        if (state.complex.is_alive(Tet{changed[i]})) {
-            for (const std::uint32_t v : state.complex.tets[changed[i]].v) {
-                if (state.complex.is_interface(Vertex{v})) {
-                    around.push_back(v);
-                }
-            }
+// Looks at all faces of the interface.
+void look(PassState& state) {
+    if (state.is_dense(state.interface.size())) {
+        const auto same = [](std::size_t k) { return static_cast<std::uint32_t>(k); };
+        look(state, state.complex.tets.size(), same, Sight::once);
+        return;
+    }
+    auto& beside = state.beside;
+    beside.clear();
+    for (const std::uint32_t v : state.interface) {
+        gather(state.complex, v, state.work.star);
+        for (const Corner corner : state.work.star.corners) {
+            beside.push_back(tet_of(corner));
         }
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    look(
+        state, beside.size(), [&](std::size_t k) { return beside[k]; }, Sight::once);
 }
 
 } // namespace
@@ -222,7 +242,7 @@ void remesh_interface(PassState& state) {
     state.update_interface();
     auto& changed = state.work.rewiring.changed;
     changed.clear();
-    look(state, state.interface);
+    look(state);
     for (int round = 0; round < rounds; ++round) {
         const std::size_t first = changed.size();
         if (round < collapsing_rounds) {
@@ -233,8 +253,9 @@ void remesh_interface(PassState& state) {
         if (changed.size() == first) {
             break;
         }
-        find_around(state, first);
-        look(state, state.around);
+        look(
+            state, changed.size() - first, [&](std::size_t k) { return changed[first + k]; },
+            Sight::all);
     }
     state.collect_unfit(state.options.quality);
     state.update_interface();

@@ -45,8 +45,6 @@ private:
     // Smallest chunks: of vertices or tets that are known, and of tets that are only looked at.
     static constexpr std::size_t grain = 256;
     static constexpr std::size_t scan_grain = 2048;
-    // All tets are looked at if more than one vertex for so many of them moves.
-    static constexpr std::size_t dense_share = 1000;
 
     // Calls `work(k, chunk)` for k below n, shared by the threads; returns the number of chunks.
     template <class Work>
@@ -59,8 +57,8 @@ private:
             });
     }
     // Calls `work(tet, chunk, thread)` for tets of which some have a vertex that moves; returns the
-    // number of chunks. If few vertices move, these are the listed tets since `seen_`. Otherwise
-    // threads look at all tets in the order of their ids, which is faster than to search for them.
+    // number of chunks. If few vertices move, these are the listed tets since `seen_`; otherwise
+    // all tets are looked at.
     template <class Work>
     std::uint32_t scan(Work work) {
         const std::size_t first = is_dense_ ? 0 : seen_;
@@ -120,8 +118,7 @@ private:
         });
         state_.moving_vertices = state_.pending;
         state_.near.clear();
-        is_dense_ =
-            team_.is_parallel() && dense_share * state_.pending.size() > complex_.tet_count();
+        is_dense_ = state_.is_dense(state_.pending.size());
         if (++state_.pass == 0) { // the counter wrapped around: old stamps would look new
             state_.tet_stamps.assign(state_.tet_stamps.size(), 0);
             state_.pass = 1;

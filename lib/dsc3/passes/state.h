@@ -41,7 +41,6 @@ struct Follower {
 /// Of one thread.
 struct ThreadScratch {
     Star star;
-    InterfaceStar interface_star;
     std::vector<std::uint32_t> places; ///< by vertex: its place in the list of followers
 };
 
@@ -67,7 +66,7 @@ struct PassState {
     std::vector<WantingEdge> too_long = {};
     std::vector<WantingEdge> to_flip = {};
     std::vector<std::pair<Real, std::uint32_t>> worst = {}; ///< unimproved tets, by quality
-    std::vector<std::uint32_t> around = {};
+    std::vector<std::uint32_t> beside = {};                 ///< tets with a vertex of the interface
     // Scratch of movement.
     std::vector<std::uint8_t> moves = {};  ///< by vertex: not 0 if it moves in this pass
     std::vector<MovingVertex> moving = {}; ///< by vertex
@@ -86,6 +85,11 @@ struct PassState {
     ByChunk<Follower> followers = {};
     std::vector<ThreadScratch> threads = {};
 
+    /// Whether the tets at so many vertices are better found by looking at all tets in the order of
+    /// their ids: memory is then read in that order, and so, nearly, in the order of places.
+    [[nodiscard]] bool is_dense(std::size_t count) const {
+        return 1000 * count > complex.tet_count();
+    }
     /// Makes the arrays by id as long as the complex.
     void grow();
     /// Takes over what the submeshes have done.
