@@ -215,17 +215,26 @@ TEST(Simulation3, AVertexWithoutRoomForItsInsertionArrivesLater) {
     EXPECT_TRUE(validate(complex).ok());
 }
 
+// Edges beside late vertices are long, and are split: the new vertices are late, too.
 TEST(Simulation3, AVertexThatDoesNotArriveArrivesInALaterStep) {
-    Complex complex = ball_complex(0.1);
-    const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = 4};
-    Simulation simulation(complex, options);
-    EXPECT_GT(simulation.step(uniform({0, 0.1, 0}), 0, 1).unreached, 0U);
-    std::uint64_t unreached = 1;
-    for (int step = 0; step < 20 && unreached > 0; ++step) {
-        unreached = simulation.step(uniform({0, 0, 0}), 0, 1).unreached;
+    std::uint64_t splits = 0;
+    for (const auto& [way, passes] : {std::pair(0.085, 3), std::pair(0.085, 4), std::pair(0.095, 3),
+                                      std::pair(0.095, 4), std::pair(0.1, 3), std::pair(0.1, 4)}) {
+        Complex complex = ball_complex(0.1);
+        const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = passes};
+        Simulation simulation(complex, options);
+        std::uint64_t unreached = simulation.step(uniform({0, way, 0}), 0, 1).unreached;
+        EXPECT_GT(unreached, 0U);
+        for (int step = 0; step < 20 && unreached > 0; ++step) {
+            const StepReport report = simulation.step(uniform({0, 0, 0}), 0, 1);
+            unreached = report.unreached;
+            splits += report.operations.interface_splits;
+        }
+        EXPECT_EQ(unreached, 0U);
+        EXPECT_LT(farthest(complex, simulation, centre + Point(0, way, 0)), 1e-12);
+        EXPECT_TRUE(validate(complex).ok());
     }
-    EXPECT_EQ(unreached, 0U);
-    EXPECT_LT(farthest(complex, simulation, centre + Point(0, 0.1, 0)), 1e-12);
+    EXPECT_GT(splits, 50U);
 }
 
 TEST(Simulation3, TheSameInputGivesTheSameBits) {

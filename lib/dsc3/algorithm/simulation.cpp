@@ -124,10 +124,8 @@ void Simulation::note(Real reached) {
 // The positions from which the flow moves the vertices: their own, or those where they should be.
 void Simulation::find_origins() {
     state_.update_interface();
+    state_.drop_stale_late();
     auto& late = state_.late;
-    std::erase_if(late, [&](const LateVertex& one) {
-        return !complex_.is_interface(Vertex{one.vertex}) || one.place != complex_.at(one.vertex);
-    });
     std::sort(late.begin(), late.end(),
               [](const LateVertex& x, const LateVertex& y) { return x.vertex < y.vertex; });
     origins_.clear();

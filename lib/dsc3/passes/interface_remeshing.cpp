@@ -188,14 +188,44 @@ bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
     return edge.is_valid() && gather(complex, edge, ring) && !has_one_phase(complex, ring);
 }
 
+// While it lives, late vertices are where they should be, so that all are at the same time.
+class AtTargets {
+public:
+    AtTargets(Complex& complex, const std::vector<LateVertex>& late)
+        : complex_(complex), late_(late) {
+        for (const LateVertex& one : late_) {
+            complex_.vertices[one.vertex].position = one.target;
+        }
+    }
+    AtTargets(const AtTargets&) = delete;
+    AtTargets& operator=(const AtTargets&) = delete;
+    ~AtTargets() {
+        for (const LateVertex& one : late_) {
+            complex_.vertices[one.vertex].position = one.place;
+        }
+    }
+
+private:
+    Complex& complex_;
+    const std::vector<LateVertex>& late_;
+};
+
+// Where the flow has carried the middle of an edge: between late vertices this is not where the
+// middle is now.
+Point middle_of(PassState& state, const WantingEdge& edge) {
+    const AtTargets at_targets(state.complex, state.late);
+    return state.options.insertion(state.complex, state.work, edge.a, edge.b);
+}
+
 void split_long(PassState& state) {
     Complex& complex = state.complex;
+    state.drop_stale_late();
     for (const WantingEdge& edge : state.too_long) {
         const EdgeAt at = find_edge(complex, edge.a, edge.b, state.work.star);
         if (!is_on_interface(complex, at, state.work.ring)) {
             continue;
         }
-        Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
+        Point place = middle_of(state, edge);
         const Vertex v =
             edge_split(complex, state.work, at, midpoint(complex.at(edge.a), complex.at(edge.b)));
         if (v.is_valid()) {

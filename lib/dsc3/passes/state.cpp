@@ -65,6 +65,12 @@ void PassState::find_interface() {
     update_ends();
 }
 
+void PassState::drop_stale_late() {
+    std::erase_if(late, [&](const LateVertex& one) {
+        return !complex.is_interface(Vertex{one.vertex}) || one.place != complex.at(one.vertex);
+    });
+}
+
 void PassState::collect_unfit(Real quality) {
     for (const std::uint32_t t : work.rewiring.changed) {
         if (complex.is_alive(Tet{t}) && quality_of(complex, t) < quality) {

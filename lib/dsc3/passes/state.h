@@ -100,6 +100,8 @@ struct PassState {
     void find_interface();
     /// Updates `ends_on_sides`. O(interface).
     void update_ends();
+    /// Removes late vertices that were moved or have left the interface. O(late).
+    void drop_stale_late();
     /// Adds the tets that were written since the last call, if they are below the quality.
     void collect_unfit(Real quality);
 };
