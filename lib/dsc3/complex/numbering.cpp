@@ -56,6 +56,24 @@ std::vector<std::uint32_t> numbers(Order& order, std::uint32_t bound, std::uint3
     return result;
 }
 
+// Gives place k what is at place order[k], for arrays by tet, in place. Spoils the order.
+void permute_tets(Complex& complex, std::vector<std::uint32_t>& order) {
+    for (std::uint32_t first = 1; first < order.size(); ++first) {
+        const TetRecord tet = complex.tets[first];
+        const Phase phase = complex.phases[first];
+        std::uint32_t to = first;
+        while (order[to] != first) {
+            const std::uint32_t from = std::exchange(order[to], to);
+            complex.tets[to] = complex.tets[from];
+            complex.phases[to] = complex.phases[from];
+            to = from;
+        }
+        order[to] = to;
+        complex.tets[to] = tet;
+        complex.phases[to] = phase;
+    }
+}
+
 } // namespace
 
 void renumber(Complex& complex) {
@@ -110,6 +128,54 @@ void renumber(Complex& complex) {
     complex.attributes.permute(dsc::SimplexKind::triangle, order);
     next.attributes = std::move(complex.attributes);
     complex = std::move(next);
+}
+
+std::vector<std::uint32_t> renumber_tets(Complex& complex) {
+    const Morton morton(complex);
+    const std::uint32_t bound = complex.tet_bound();
+    // The upper half of the index is finer than any mesh; with the id in the lower one it sorts as
+    // one number. Free ids come last.
+    std::vector<std::uint64_t> places{0};
+    places.reserve(bound);
+    for (std::uint32_t t = 1; t < bound; ++t) {
+        std::uint64_t place = ~std::uint64_t{0} << 32U;
+        if (complex.is_alive(Tet{t})) {
+            const auto p = complex.positions_of(Tet{t});
+            place = morton(0.25 * (p[0] + p[1] + p[2] + p[3])) >> 31U << 32U;
+        }
+        places.push_back(place | t);
+    }
+    std::sort(places.begin() + 1, places.end());
+    std::vector<std::uint32_t> order(bound);
+    std::vector<std::uint32_t> ids(bound);
+    for (std::uint32_t t = 0; t < bound; ++t) {
+        order[t] = static_cast<std::uint32_t>(places[t]);
+        ids[order[t]] = t;
+    }
+    places = {};
+    const std::uint32_t living = complex.tet_count() + 1;
+    complex.attributes.permute(dsc::SimplexKind::triangle, {order.begin(), order.begin() + living});
+    const auto corner = [&](Corner c) { return corner_of(ids[tet_of(c)], index_of(c)); };
+    for (VertexRecord& vertex : complex.vertices) {
+        if (vertex.corner != no_id) {
+            vertex.corner = corner(vertex.corner);
+        }
+    }
+    for (std::uint32_t t = 1; t < bound; ++t) {
+        if (!complex.is_alive(Tet{t})) {
+            ids[t] = no_id;
+            continue;
+        }
+        for (Corner& n : complex.tets[t].n) {
+            n = corner(n);
+        }
+    }
+    permute_tets(complex, order);
+    complex.tets.resize(living);
+    complex.phases.resize(living);
+    complex.free_tets.clear();
+    ++complex.version;
+    return ids;
 }
 
 } // namespace dsc3

@@ -25,6 +25,11 @@ struct OperationCounts {
     std::uint64_t reassigned = 0;          ///< flat tets on the interface that changed phase
 
     OperationCounts& operator+=(const OperationCounts& other);
+    /// Of those that make tets: all but smoothing, and reassignment, which an edge removal follows.
+    [[nodiscard]] std::uint64_t rewirings() const {
+        return splits + collapses + edge_removals + face_flips + interface_splits +
+               interface_collapses + interface_flips;
+    }
 };
 
 /// Edges with more tets are not removed: the work grows with the cube of their number.

@@ -65,6 +65,11 @@ void PassState::find_interface() {
     update_ends();
 }
 
+void PassState::renumber() {
+    const std::vector<std::uint32_t> ids = renumber_tets(complex);
+    std::erase_if(unfit, [&](std::uint32_t& t) { return (t = ids[t]) == no_id; });
+}
+
 void PassState::drop_stale_late() {
     std::erase_if(late, [&](const LateVertex& one) {
         return !complex.is_interface(Vertex{one.vertex}) || one.place != complex.at(one.vertex);

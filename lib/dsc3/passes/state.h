@@ -100,6 +100,8 @@ struct PassState {
     void find_interface();
     /// Updates `ends_on_sides`. O(interface).
     void update_ends();
+    /// Renumbers the tets, and those listed as unfit. O(n log n).
+    void renumber();
     /// Removes late vertices that were moved or have left the interface. O(late).
     void drop_stale_late();
     /// Adds the tets that were written since the last call, if they are below the quality.
