@@ -78,24 +78,55 @@ TEST(Complex3, LatticeIsABall) {
     EXPECT_NEAR(phase_volume(lattice, 0), 128, 1e-11);
 }
 
+// With free ids.
+Complex worn_mesh(std::uint64_t seed) {
+    Complex complex = random_mesh(seed);
+    Workspace work;
+    Random random(seed);
+    for (int i = 0; i < 40; ++i) {
+        const std::uint32_t t = 1 + random.below(complex.tet_bound() - 1);
+        if (complex.is_alive(Tet{t})) {
+            edge_collapse(complex, work, Vertex{complex.tets[t].v[0]},
+                          Vertex{complex.tets[t].v[1]});
+        }
+    }
+    return complex;
+}
+
 TEST(Complex3, RenumberingKeepsTheMesh) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        Complex complex = random_mesh(seed);
-        Workspace work;
-        Random random(seed);
-        for (int i = 0; i < 40; ++i) { // leaves free ids
-            const std::uint32_t t = 1 + random.below(complex.tet_bound() - 1);
-            if (complex.is_alive(Tet{t})) {
-                edge_collapse(complex, work, Vertex{complex.tets[t].v[0]},
-                              Vertex{complex.tets[t].v[1]});
-            }
-        }
+        Complex complex = worn_mesh(seed);
         const std::uint64_t hash = mesh_hash(complex);
         const std::uint32_t count = complex.tet_count();
         renumber(complex);
         EXPECT_EQ(mesh_hash(complex), hash);
         EXPECT_EQ(complex.tet_bound(), count + 1);
         EXPECT_TRUE(validate(complex).ok()) << validate(complex).problem;
+    }
+}
+
+TEST(Complex3, RenumberingOfTetsKeepsTheVertices) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Complex complex = worn_mesh(seed);
+        auto& number = complex.attributes.add<Tet>("number", no_id);
+        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+            number[Tet{t}] = t;
+        }
+        const Complex old = complex;
+        const std::vector<std::uint32_t> ids = renumber_tets(complex);
+        EXPECT_TRUE(validate(complex).ok()) << validate(complex).problem;
+        EXPECT_EQ(mesh_hash(complex), mesh_hash(old));
+        EXPECT_EQ(complex.tet_bound(), old.tet_count() + 1);
+        EXPECT_EQ(complex.free_vertices, old.free_vertices);
+        ASSERT_EQ(ids.size(), old.tet_bound());
+        for (std::uint32_t t = 1; t < old.tet_bound(); ++t) {
+            ASSERT_EQ(ids[t] != no_id, old.is_alive(Tet{t}));
+            if (ids[t] != no_id) {
+                ASSERT_EQ(complex.tets[ids[t]].v, old.tets[t].v);
+                ASSERT_EQ(complex.phases[ids[t]], old.phases[t]);
+                ASSERT_EQ(number[Tet{ids[t]}], t);
+            }
+        }
     }
 }
 

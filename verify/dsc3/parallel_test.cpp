@@ -17,23 +17,23 @@ namespace dsc3::test::parallel_test {
 namespace {
 
 constexpr double h = 1.0 / 24;
-constexpr double dt = 1.0 / 24;
+constexpr double dt = 1.0 / 16;
 
 struct Tracked {
     explicit Tracked(const Parallel& parallel, double radius = 0.25)
         : complex(initial_complex({}, {{ball({0.35, 0.35, 0.35}, radius), 1}}, {.edge_length = h})),
           simulation(complex, {.edge_length = h}, parallel) {
         complex.attributes.add<Vertex>("heat", 20.0);
-        auto& number = complex.attributes.add<Tet>("number", std::uint32_t{0});
-        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
-            number[Tet{t}] = t;
-        }
+        number_tets(complex, complex.attributes.add<Tet>("number", std::uint32_t{0}));
     }
     // The mesh, ids, free ids, attributes, and all else that later steps depend on.
     [[nodiscard]] std::string bytes() {
         dsc::Archive archive;
         simulation.archive(archive);
         return archive.bytes();
+    }
+    [[nodiscard]] bool are_renumbered() const {
+        return test::are_renumbered(complex, complex.attributes.get<Tet, std::uint32_t>("number"));
     }
     StepReport step(int k) { return simulation.step(swirl, k * dt, dt); }
 
@@ -42,7 +42,8 @@ struct Tracked {
 };
 
 TEST(Parallel3, TheSameBitsForAnyNumberOfThreads) {
-    const int steps = dsc::test::are_asked_for("few") ? 3 : 6;
+    const bool few = dsc::test::are_asked_for("few");
+    const int steps = few ? 3 : 6;
     Tracked one({.threads = 1});
     std::vector<std::unique_ptr<Tracked>> others;
     for (const std::uint32_t threads : {2U, 3U, 4U}) {
@@ -66,6 +67,7 @@ TEST(Parallel3, TheSameBitsForAnyNumberOfThreads) {
     // Most of the repair is shared, else this would prove nothing.
     EXPECT_GT(sum.treated_together, 0.5 * double(sum.treated));
     EXPECT_GT(sum.operations.interface_splits, 20U);
+    EXPECT_NE(one.are_renumbered(), few);
 }
 
 TEST(Parallel3, AVelocityAtOnceIsCalledForTheWholeInterfaceByThisThread) {
@@ -157,6 +159,7 @@ TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
     for (int k = 0; k < 3; ++k) {
         first.step(k);
     }
+    ASSERT_FALSE(first.are_renumbered());
     dsc::Archive saved(first.bytes(), "saved");
     Tracked second({.threads = 3});
     second.step(0); // what is read takes the place of all that was
@@ -167,6 +170,7 @@ TEST(Parallel3, ACheckpointGoesOnToTheSameBits) {
         second.step(k);
     }
     EXPECT_EQ(first.bytes(), second.bytes());
+    EXPECT_TRUE(first.are_renumbered());
     for (const Parallel& way :
          {Parallel{.submeshes = 2}, Parallel{.submeshes = 4},
           Parallel{.division = Division::active}, Parallel{.partition = shells}}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Starts and steps in three dimensions, where the answers are known.
-#include "dsc3/dsc3.h"
+#include "dsc3/space_testing.h"
 #include "support/environment.h"
 
 #include <gtest/gtest.h>
@@ -235,6 +235,25 @@ TEST(Simulation3, AVertexThatDoesNotArriveArrivesInALaterStep) {
         EXPECT_TRUE(validate(complex).ok());
     }
     EXPECT_GT(splits, 50U);
+}
+
+TEST(Simulation3, LateVerticesArriveThoughTetsAreRenumbered) {
+    const Box domain{.low = {0.15, 0.15, 0.15}, .high = {0.65, 0.75, 0.65}};
+    Complex complex = initial_complex(domain, {{ball(centre, radius), 1}}, {.edge_length = 0.1});
+    auto& number = complex.attributes.add<Tet>("number", no_id);
+    const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = 3};
+    Simulation simulation(complex, options);
+    std::uint64_t unreached = simulation.step(uniform({0, 0.1, 0}), 0, 1).unreached;
+    int renumbered = 0;
+    for (int step = 0; step < 20 && unreached > 0; ++step) {
+        number_tets(complex, number);
+        unreached = simulation.step(uniform({0, 0, 0}), 0, 1).unreached;
+        renumbered += are_renumbered(complex, number) ? 1 : 0;
+    }
+    EXPECT_GT(renumbered, 0);
+    EXPECT_EQ(unreached, 0U);
+    EXPECT_LT(farthest(complex, simulation, centre + Point(0, 0.1, 0)), 1e-12);
+    EXPECT_TRUE(validate(complex).ok());
 }
 
 TEST(Simulation3, TheSameInputGivesTheSameBits) {

@@ -22,6 +22,21 @@ inline void swirl(std::span<const Point> positions, double, std::span<Point> vel
     }
 }
 
+/// Gives each tet its id.
+inline void number_tets(const Complex& complex, TetAttribute<std::uint32_t>& number) {
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        number[Tet{t}] = t;
+    }
+}
+/// Whether most tets have another id than `number_tets` gave them; operations change those of few.
+inline bool are_renumbered(const Complex& complex, const TetAttribute<std::uint32_t>& number) {
+    std::uint32_t count = 0;
+    for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+        count += complex.is_alive(Tet{t}) && number[Tet{t}] != t ? 1U : 0U;
+    }
+    return 2 * count > complex.tet_count();
+}
+
 /// Calls `visit(vertex, its interface star, its stratum)` for all vertices of the interface.
 template <class Visit>
 void for_each_interface_star(const Complex& complex, Visit visit) {

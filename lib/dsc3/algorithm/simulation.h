@@ -49,8 +49,10 @@ public:
 
     [[nodiscard]] const Options& options() const { return options_; }
 
-    /// Moves the interface from `time` to `time + dt`. O(interface vertices and changed tets).
-    /// Throws InputError if dt is negative or not finite, or an attribute is a field.
+    /// Moves the interface from `time` to `time + dt`. O(interface vertices and changed tets). A
+    /// step that begins after many edits first renumbers the tets, in O(n log n): handles of tets
+    /// are valid until the next step, those of vertices as long as their vertex lives. Throws
+    /// InputError if dt is negative or not finite, or an attribute is a field.
     StepReport step(const Velocity& velocity, Real time, Real dt) {
         return advance(velocity, submeshes_ != nullptr, time, dt);
     }
@@ -94,10 +96,9 @@ private:
     Team team_;
     std::unique_ptr<Submeshes> submeshes_; ///< none: sequential
     PassState state_;
-    std::uint64_t version_;  ///< of the complex at the end of the last step
-    /// Since the tets were renumbered, up to the last step.
-    std::uint64_t rewirings_ = 0;
-    bool in_chunks_ = false; ///< whether the velocity may be called for some of the vertices
+    std::uint64_t version_;       ///< of the complex at the end of the last step
+    std::uint64_t rewirings_ = 0; ///< from the last renumbering to the step before the last one
+    bool in_chunks_ = false;      ///< whether the velocity may be called for some of the vertices
     StepReport report_;
     std::vector<Point> origins_;
     std::vector<Point> targets_;
