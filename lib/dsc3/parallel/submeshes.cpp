@@ -19,7 +19,7 @@ constexpr std::size_t min_vertices = 16;
 
 Submeshes::Submeshes(Complex& complex, Real edge_length, const Parallel& parallel, Team& team)
     : complex_(complex), team_(team), edge_length_(edge_length), parallel_(parallel),
-      workers_(partition_size(parallel)) {
+      workers_(largest_division(parallel)) {
     ownership_.partition = parallel.partition;
     ownership_.submeshes = partition_size(parallel);
     for (std::uint32_t i = 0; i < workers_.size(); ++i) {
