@@ -157,11 +157,14 @@ Fluid::Fluid(const Complex<double>& complex, FluidOptions options)
     MeshSnapshot mesh = snapshot_of(complex_);
     check_complex(mesh, options_);
     check_sides_exist(mesh, options_);
-    (void)walls_of(mesh, options_, 0);
+    const bool has_curved_walls = walls_of(mesh, options_, 0, nullptr).has_curved;
     areas_ = phase_areas(mesh);
     if (options_.equations == FluidEquations::stokes) {
         FluidStep report;
-        one_ = solution_in(std::move(mesh), 0, report);
+        one_ = solution_in(mesh, 0, nullptr, report);
+        if (has_curved_walls) { // their velocities depend on a solution
+            one_ = solution_in(std::move(mesh), 0, one_.get(), report);
+        }
         return;
     }
     FluidField rest{.mesh = std::move(mesh)};
@@ -192,12 +195,13 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     std::unique_ptr<FluidField> guess;
     FluidPast moving_vertex = past();
     if (options_.equations == FluidEquations::navier_stokes && two_ == nullptr) {
-        guess = solution_in(one_->mesh, time() + dt, report);
+        guess = solution_in(one_->mesh, time() + dt, one_.get(), report);
         moving_vertex = {guess.get(), one_.get()};
     }
     BoundaryFlow boundary(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
                           swept_by_boundary(one_->mesh, areas_), one_->mesh.domain, options_);
-    (void)walls_of(one_->mesh, options_, time() + dt); // refuses a profile before anything moves
+    // Refuses a profile before anything moves.
+    (void)walls_of(one_->mesh, options_, time() + dt, nullptr);
     Timer timer;
     report.moved = simulation.step(
         motion_in(moving_vertex, boundary, has_even_edges(simulation.options())), time(), dt);
@@ -205,7 +209,7 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     if (report.moved.gave_up != GiveUp::none) {
         report.steps = 0;
     } else {
-        auto next = solution_in(snapshot_of(complex_), time() + dt, report);
+        auto next = solution_in(snapshot_of(complex_), time() + dt, moving_vertex.one, report);
         areas_ = boundary.areas_at(next->time);
         report.error = error_of_motion(*next, moving_vertex, next->time - time());
         two_ = std::exchange(one_, std::move(next));
@@ -299,10 +303,11 @@ std::vector<double> Fluid::inflows_at(const FluidPast& past, double at) const {
     return inflows;
 }
 
-std::unique_ptr<FluidField> Fluid::solution_in(MeshSnapshot mesh, double time, FluidStep& report) {
+std::unique_ptr<FluidField> Fluid::solution_in(MeshSnapshot mesh, double time,
+                                               const FluidField* last, FluidStep& report) {
     Timer timer;
     const Dissection dissection = dissect(mesh);
-    const FluidNumbering numbers = number_unknowns(mesh, dissection, options_, time);
+    const FluidNumbering numbers = number_unknowns(mesh, dissection, options_, time, last);
     assemble(mesh, numbers, options_, past(), time, *system_);
     report.assembly_s += timer.lap();
     const Eigen::VectorXd unknowns =

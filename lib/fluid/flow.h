@@ -35,7 +35,8 @@ struct FluidStep {
 /// edges are in balance stay at rounding level. A step moves the interface by the velocity
 /// extrapolated in time (whatever the integrator of the simulation), and then solves for velocity
 /// and pressure in the new mesh, with inertia by particles that are followed back to the last two
-/// meshes. Second order in the edge length and in time; no limit on the time step from tension or
+/// meshes. Second order in the edge length and in time, and velocities of third order beside walls
+/// without slip, also curved ones, where no interface is near; no limit on the time step from tension or
 /// from the speed. Vertices slide along the interface towards equal edges, unless the simulation's
 /// options adapt edges to the shape (`turn_degrees`, `gap`) or set their length (`on_interface`).
 /// Stages of the simulation, such as `TopologyStage`, run as in any other one. The area of each
@@ -91,8 +92,8 @@ private:
     [[nodiscard]] FluidPast past() const { return {one_.get(), two_.get()}; }
     void transfer(Archive& archive);
     [[nodiscard]] std::vector<double> inflows_at(const FluidPast& past, double at) const;
-    [[nodiscard]] std::unique_ptr<FluidField> solution_in(MeshSnapshot mesh, double time,
-                                                          FluidStep& report);
+    [[nodiscard]] std::unique_ptr<FluidField>
+    solution_in(MeshSnapshot mesh, double time, const FluidField* last, FluidStep& report);
 
     const Complex<double>& complex_;
     FluidOptions options_;

@@ -20,7 +20,7 @@ struct Equations {
     explicit Equations(double edge_length, std::uint32_t threads = 1)
         : tank(fluid_scenes::static_drop(edge_length, 25)), mesh(snapshot_of(tank.complex)),
           dissection(dissect(mesh)),
-          numbers(number_unknowns(mesh, dissection, tank.fluid.options(), 0.1)) {
+          numbers(number_unknowns(mesh, dissection, tank.fluid.options(), 0.1, nullptr)) {
         assemble(mesh, numbers, tank.fluid.options(), {&tank.fluid.field(), nullptr}, 0.1, system);
         factors = factorise(system, dissection, numbers, mass, threads);
     }

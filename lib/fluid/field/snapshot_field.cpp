@@ -149,6 +149,17 @@ double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle) {
                 mesh.nodes[triangle.nodes[2]]);
 }
 
+Eigen::Matrix<double, 2, 3> slopes_of(const MeshSnapshot& mesh, const SnapshotTriangle& t,
+                                      double area) {
+    Eigen::Matrix<double, 2, 3> slopes;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const Point<double> side = mesh.nodes[t.nodes[prev_index(static_cast<std::uint32_t>(i))]] -
+                                   mesh.nodes[t.nodes[next_index(static_cast<std::uint32_t>(i))]];
+        slopes.col(i) = Point<double>(-side.y(), side.x()) / (2 * area);
+    }
+    return slopes;
+}
+
 std::uint32_t start_at(const MeshSnapshot& mesh, std::uint32_t vertex) {
     const std::uint32_t found = vertex < mesh.vertex_bound ? mesh.triangle_at[vertex] : no_id;
     return found == no_id ? 0 : found;
@@ -198,6 +209,17 @@ Point<double> velocity_at(const FluidField& field, const Spot& spot) {
         velocity += shapes[i++] * field.velocity[node];
     }
     return velocity;
+}
+
+Eigen::Matrix2d velocity_gradient_at(const FluidField& field, const Spot& spot) {
+    const SnapshotTriangle& triangle = field.mesh.triangles[spot.triangle];
+    const Eigen::Matrix<double, 2, 6> gradients =
+        quadratic_gradients(spot.at, slopes_of(field.mesh, triangle, area(field.mesh, triangle)));
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (Eigen::Index i = 0; const std::uint32_t node : triangle.nodes) {
+        gradient += field.velocity[node] * gradients.col(i++).transpose();
+    }
+    return gradient;
 }
 
 double pressure_at(const FluidField& field, const Spot& spot) {

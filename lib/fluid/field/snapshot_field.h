@@ -46,6 +46,10 @@ struct MeshSnapshot {
 /// The area of a triangle. O(1).
 [[nodiscard]] double area(const MeshSnapshot& mesh, const SnapshotTriangle& triangle);
 
+/// The gradients of the barycentric coordinates of a triangle with this area, as columns. O(1).
+[[nodiscard]] Eigen::Matrix<double, 2, 3> slopes_of(const MeshSnapshot& mesh,
+                                                    const SnapshotTriangle& triangle, double area);
+
 /// The start of a search: the triangle of the vertex with this id in the mesh, if there was one,
 /// else the first triangle. The triangle found, and with it the last bits, depends on the point and
 /// this start only.
@@ -81,6 +85,8 @@ void archive(Archive& archive, FluidField& field);
 
 /// The velocity at a spot of the field's mesh. O(1).
 [[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
+/// The gradient of the velocity at a spot: row i is that of component i. O(1).
+[[nodiscard]] Eigen::Matrix2d velocity_gradient_at(const FluidField& field, const Spot& spot);
 /// The pressure at a spot, of the phase of its triangle. O(1).
 [[nodiscard]] double pressure_at(const FluidField& field, const Spot& spot);
 

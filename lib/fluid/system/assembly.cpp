@@ -11,18 +11,6 @@ namespace dsc {
 
 namespace {
 
-// The gradients of the barycentric coordinates, as columns.
-Eigen::Matrix<double, 2, 3> slopes_of(const MeshSnapshot& mesh, const SnapshotTriangle& t,
-                                      double area) {
-    Eigen::Matrix<double, 2, 3> slopes;
-    for (Eigen::Index i = 0; i < 3; ++i) {
-        const Point<double> side = mesh.nodes[t.nodes[prev_index(static_cast<std::uint32_t>(i))]] -
-                                   mesh.nodes[t.nodes[next_index(static_cast<std::uint32_t>(i))]];
-        slopes.col(i) = Point<double>(-side.y(), side.x()) / (2 * area);
-    }
-    return slopes;
-}
-
 // The sum over quadrature points of the products of two nodes' values. Written out, because Eigen
 // would fuse additions on processors that can, and the result would depend on the processor.
 double sum_of_products(const Eigen::Matrix<double, 6, 3>& one,

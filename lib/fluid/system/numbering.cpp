@@ -27,9 +27,9 @@ leaders_of_pressures(const MeshSnapshot& mesh, std::vector<std::vector<std::uint
 } // namespace
 
 FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
-                               const FluidOptions& options, double time) {
+                               const FluidOptions& options, double time, const FluidField* last) {
     FluidNumbering numbers;
-    numbers.walls = walls_of(mesh, options, time);
+    numbers.walls = walls_of(mesh, options, time, last);
     std::vector<std::array<bool, 2>> held(mesh.nodes.size());
     for (const WallNode& wall : numbers.walls.nodes) {
         held[wall.node] = wall.held;
@@ -50,7 +50,8 @@ FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& disse
     const auto last_vertex =
         std::ranges::find_if(dissection.nodes.rbegin(), dissection.nodes.rend(),
                              [&](std::uint32_t node) { return node < mesh.vertex_bound; });
-    const std::uint32_t last = numbers.fixes_pressure() ? no_id : pressures[*last_vertex].back();
+    const std::uint32_t last_leader =
+        numbers.fixes_pressure() ? no_id : pressures[*last_vertex].back();
 
     numbers.velocity.assign(mesh.nodes.size(), {no_unknown, no_unknown});
     std::vector<int> of_leader(3 * mesh.triangles.size(), no_unknown);
@@ -68,7 +69,7 @@ FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& disse
             }
             if (node < mesh.vertex_bound) {
                 for (const std::uint32_t leader : pressures[node]) {
-                    if (leader != last && !is_void(leader)) {
+                    if (leader != last_leader && !is_void(leader)) {
                         of_leader[leader] = numbers.size++;
                     }
                 }

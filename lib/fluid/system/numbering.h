@@ -30,8 +30,9 @@ struct FluidNumbering {
 };
 
 /// Numbers the unknowns at this time in the order of elimination; those of a node are consecutive.
-/// O(n phases).
+/// `last` is as for `walls_of`. O(n phases).
 [[nodiscard]] FluidNumbering number_unknowns(const MeshSnapshot& mesh, const Dissection& dissection,
-                                             const FluidOptions& options, double time);
+                                             const FluidOptions& options, double time,
+                                             const FluidField* last);
 
 } // namespace dsc

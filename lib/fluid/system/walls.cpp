@@ -5,6 +5,7 @@
 #include "dsc/geometry/points.h"
 #include "dsc/geometry/side.h"
 #include "fluid/system/conditions.h"
+#include "fluid/system/curved_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ struct WallEdge {
     std::uint32_t from;
     std::uint32_t to;
     std::uint32_t middle;
+    std::uint32_t triangle;
     Wall wall;
     std::uint32_t side = no_id; // in `FluidOptions::sides`; no_id: none of them
 };
@@ -29,7 +31,8 @@ struct WallEdge {
 std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& options) {
     const SideConditions conditions(mesh.domain, options);
     std::vector<WallEdge> edges;
-    for (const SnapshotTriangle& triangle : mesh.triangles) {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const SnapshotTriangle& triangle = mesh.triangles[t];
         for (std::uint32_t i = 0; i < 3; ++i) {
             if (triangle.across[i] != no_id) {
                 continue;
@@ -38,7 +41,7 @@ std::vector<WallEdge> edges_of(const MeshSnapshot& mesh, const FluidOptions& opt
             const std::uint32_t to = triangle.nodes[prev_index(i)];
             const std::uint32_t middle = triangle.nodes[3 + i];
             const auto [wall, side] = conditions.between(mesh.nodes[from], mesh.nodes[to]);
-            edges.push_back({from, to, middle, wall, side});
+            edges.push_back({from, to, middle, t, wall, side});
         }
     }
     return edges;
@@ -153,6 +156,40 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
     }
 }
 
+// On a curved side the middle of an edge moves with the fluid beside the wall, along the edge:
+// nothing more flows through it. The velocities of the wall are those at the middle so far.
+void correct_curved_walls(const std::vector<WallEdge>& edges, const MeshSnapshot& mesh,
+                          const FluidOptions& options, double time, const FluidField* last,
+                          FluidWalls& walls) {
+    std::vector<std::array<std::uint32_t, 2>> beside(mesh.vertex_bound, {no_id, no_id});
+    for (const WallEdge& edge : edges) {
+        beside[edge.to][0] = edge.from;
+        beside[edge.from][1] = edge.to;
+    }
+    for (const WallEdge& edge : edges) {
+        if (edge.wall != Wall::no_slip) {
+            continue;
+        }
+        const Point<double> sagitta =
+            sagitta_of(mesh, beside[edge.from][0], edge.from, edge.to, beside[edge.to][1]);
+        if (sagitta.isZero(0)) {
+            continue;
+        }
+        walls.has_curved = true;
+        if (last == nullptr) {
+            return;
+        }
+        const Point<double> way = mesh.nodes[edge.to] - mesh.nodes[edge.from];
+        const auto node = std::ranges::lower_bound(walls.nodes, edge.middle, {}, &WallNode::node);
+        const Point<double> at_wall =
+            wall_velocity(edge.side, mesh.nodes[edge.middle] + sagitta, way, options, time);
+        const Point<double> change =
+            at_wall - node->velocity -
+            change_to_wall(*last, mesh, mesh.triangles[edge.triangle], edge.middle, sagitta);
+        node->velocity += change.dot(way) / way.squaredNorm() * way;
+    }
+}
+
 // Whether the point between two edges of the boundary must stay: the conditions there differ, and
 // an interface cannot slide from one to the other.
 bool is_end_of_side(const SideCondition& one, const SideCondition& other) {
@@ -243,7 +280,8 @@ std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh, const FluidOptions& 
     return ends;
 }
 
-FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time) {
+FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, double time,
+                    const FluidField* last) {
     FluidWalls walls;
     std::map<std::uint32_t, AtNode> at_nodes;
     const std::vector<WallEdge> edges = edges_of(mesh, options);
@@ -264,11 +302,13 @@ FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, doubl
                                    .held = {true, true},
                                    .velocity = sticking(node, at, mesh, options, time)});
         }
-        WallNode& held = walls.nodes.back();
-        held.side = at.side;
+        walls.nodes.back().side = at.side;
+    }
+    correct_curved_walls(edges, mesh, options, time, last, walls);
+    for (const WallNode& held : walls.nodes) {
         if (!held.velocity.allFinite()) {
             throw InputError({.what = "the velocity of a wall is not finite",
-                              .where = "FluidOptions, at " + to_text(mesh.nodes[node]),
+                              .where = "FluidOptions, at " + to_text(mesh.nodes[held.node]),
                               .value = to_text(held.velocity),
                               .allowed = "finite velocities"});
         }

@@ -26,7 +26,8 @@ struct WallNode {
 /// All of them, by ascending number of the node.
 struct FluidWalls {
     std::vector<WallNode> nodes = {};
-    bool has_open = false; ///< a part of the boundary is open
+    bool has_open = false;   ///< a part of the boundary is open
+    bool has_curved = false; ///< a part without slip is curved
 };
 
 /// Throws InputError if a side with a condition is on no edge of the mesh, or two sides meet within
@@ -41,9 +42,10 @@ void check_sides_exist(const MeshSnapshot& mesh, const FluidOptions& options);
 [[nodiscard]] std::vector<Vertex> ends_of_sides(const MeshSnapshot& mesh,
                                                 const FluidOptions& options);
 
-/// The walls of the mesh at this time. Throws InputError if the velocity of a wall is not finite,
-/// or more flows in than out of a domain that is closed. O(n).
+/// The walls of the mesh at this time. With the last solution, velocities at the middles of edges
+/// are those of the fluid beside a curved wall: see `sagitta_of`. Throws InputError if the velocity
+/// of a wall is not finite, or more flows in than out of a domain that is closed. O(n).
 [[nodiscard]] FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options,
-                                  double time);
+                                  double time, const FluidField* last);
 
 } // namespace dsc
