@@ -36,12 +36,12 @@ struct FluidStep {
 /// extrapolated in time (whatever the integrator of the simulation), and then solves for velocity
 /// and pressure in the new mesh, with inertia by particles that are followed back to the last two
 /// meshes. Second order in the edge length and in time, and velocities of third order beside walls
-/// without slip, also curved ones, where no interface is near; no limit on the time step from tension or
-/// from the speed. Vertices slide along the interface towards equal edges, unless the simulation's
-/// options adapt edges to the shape (`turn_degrees`, `gap`) or set their length (`on_interface`).
-/// Stages of the simulation, such as `TopologyStage`, run as in any other one. The area of each
-/// phase is constant, apart from what flows in and out: after each sub-step each curve is moved
-/// along its normal by the distance that restores the areas.
+/// without slip, also curved ones, where no interface is near; no limit on the time step from
+/// tension or from the speed. Vertices slide along the interface towards equal edges, unless the
+/// simulation's options adapt edges to the shape (`turn_degrees`, `gap`) or set their length
+/// (`on_interface`). Stages of the simulation, such as `TopologyStage`, run as in any other one.
+/// The area of each phase is constant, apart from what flows in and out: after each sub-step each
+/// curve is moved along its normal by the distance that restores the areas.
 ///
 /// A step takes O(n) time, apart from the factorisation: about O(n^1.5). Memory: the factors, two
 /// copies of the mesh and the matrices of the elements, about 2 kB for each triangle. Results are
