@@ -100,6 +100,9 @@ Culprit culprit_of(const std::string& figure) {
     if (figure == "inverted") {
         return Culprit::first_failure;
     }
+    if (figure.starts_with("force_")) { // on a whole side
+        return Culprit::none;
+    }
     if (figure.starts_with("min_quality") || figure == "unreached" || figure == "held") {
         return Culprit::worst_triangle;
     }
