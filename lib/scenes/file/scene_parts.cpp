@@ -2,6 +2,7 @@
 #include "scenes/file/scene_parts.h"
 
 #include "dsc/base/error.h"
+#include "dsc/geometry/points.h"
 #include "flows/exact.h"
 #include "scenes/file/formula/formula_flow.h"
 #include "scenes/file/outlines/label_file.h"
@@ -53,11 +54,26 @@ struct FirstShape {
     bool is_hole = false;
 };
 
-// Whether a polygon lies in another one, by the even-odd rule at most of its points; it may touch
-// it.
+bool is_on_border(const Point<double>& p, const Outline& outline) {
+    constexpr double rounding = 1e-12; // relative
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const double length = std::max((outline[i] - outline[j]).norm(), p.cwiseAbs().maxCoeff());
+        if (squared_distance<double>(p, outline[j], outline[i]) <=
+            rounding * rounding * length * length) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether a polygon lies in another one, by the even-odd rule at most of its points that are not on
+// the other's border.
 bool lies_in(const Outline& inner, const Outline& outer) {
     std::ptrdiff_t inside = 0;
     for (const Point<double>& p : inner) {
+        if (is_on_border(p, outer)) {
+            continue;
+        }
         bool is_inside = false;
         for (std::size_t i = 0, j = outer.size() - 1; i < outer.size(); j = i++) {
             const Point<double>& a = outer[i];
