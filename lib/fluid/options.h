@@ -60,8 +60,8 @@ struct FluidSide {
     /// That of a `DomainEdge`; or `left`, `right`, `bottom`, `top` or `other`, as in `Walls`.
     std::string name;
     Wall wall = Wall::no_slip; ///< its kind
-    /// If set, the velocity of a wall without slip, by position and time. Positions on a curved wall
-    /// are those of vertices, of the middles of edges, and beside them on the curve.
+    /// If set, the velocity of a wall without slip, by position and time. Positions on a curved
+    /// wall are those of vertices, of the middles of edges, and beside them on the curve.
     std::function<Point<double>(const Point<double>& place, double time)> velocity = {};
     /// If set, the speed at which the fluid flows in at a right angle, by position and time;
     /// negative where it flows out. Instead of `velocity`.

@@ -211,15 +211,15 @@ Point<double> velocity_at(const FluidField& field, const Spot& spot) {
     return velocity;
 }
 
-Eigen::Matrix2d velocity_gradient_at(const FluidField& field, const Spot& spot) {
+Point<double> velocity_along(const FluidField& field, const Spot& spot, const Point<double>& way) {
     const SnapshotTriangle& triangle = field.mesh.triangles[spot.triangle];
     const Eigen::Matrix<double, 2, 6> gradients =
         quadratic_gradients(spot.at, slopes_of(field.mesh, triangle, area(field.mesh, triangle)));
-    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    Point<double> change(0, 0);
     for (Eigen::Index i = 0; const std::uint32_t node : triangle.nodes) {
-        gradient += field.velocity[node] * gradients.col(i++).transpose();
+        change += gradients.col(i++).dot(way) * field.velocity[node];
     }
-    return gradient;
+    return change;
 }
 
 double pressure_at(const FluidField& field, const Spot& spot) {

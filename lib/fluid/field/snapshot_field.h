@@ -85,8 +85,9 @@ void archive(Archive& archive, FluidField& field);
 
 /// The velocity at a spot of the field's mesh. O(1).
 [[nodiscard]] Point<double> velocity_at(const FluidField& field, const Spot& spot);
-/// The gradient of the velocity at a spot: row i is that of component i. O(1).
-[[nodiscard]] Eigen::Matrix2d velocity_gradient_at(const FluidField& field, const Spot& spot);
+/// The derivative of the velocity at a spot along a way, times the way's length. O(1).
+[[nodiscard]] Point<double> velocity_along(const FluidField& field, const Spot& spot,
+                                           const Point<double>& way);
 /// The pressure at a spot, of the phase of its triangle. O(1).
 [[nodiscard]] double pressure_at(const FluidField& field, const Spot& spot);
 

@@ -43,8 +43,8 @@ Point<double> change_to_wall(const FluidField& last, const MeshSnapshot& mesh,
             (mesh.nodes[triangle.nodes[next_index(i)]] - mesh.nodes[triangle.nodes[i]]).norm());
     }
     const double height = 2 * area(mesh, triangle) / longest;
-    const double length = sagitta.norm();
-    return velocity_gradient_at(last, spot) * sagitta * std::min(1.0, height / (4 * length));
+    const double share = std::min(1.0, height / (4 * sagitta.norm()));
+    return share * velocity_along(last, spot, sagitta);
 }
 
 } // namespace dsc
