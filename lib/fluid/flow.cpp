@@ -201,7 +201,7 @@ FluidStep Fluid::step(Simulation<double>& simulation, double dt) {
     BoundaryFlow boundary(areas_, time(), inflows_at(moving_vertex, time() + dt / 2),
                           swept_by_boundary(one_->mesh, areas_), one_->mesh.domain, options_);
     // Refuses a profile before anything moves.
-    (void)walls_of(one_->mesh, options_, time() + dt, nullptr);
+    (void)walls_of(one_->mesh, options_, time() + dt, one_.get());
     Timer timer;
     report.moved = simulation.step(
         motion_in(moving_vertex, boundary, has_even_edges(simulation.options())), time(), dt);

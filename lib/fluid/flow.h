@@ -35,10 +35,10 @@ struct FluidStep {
 /// edges are in balance stay at rounding level. A step moves the interface by the velocity
 /// extrapolated in time (whatever the integrator of the simulation), and then solves for velocity
 /// and pressure in the new mesh, with inertia by particles that are followed back to the last two
-/// meshes. Second order in the edge length and in time, and velocities of third order beside walls
-/// without slip, also curved ones, where no interface is near; no limit on the time step from
-/// tension or from the speed. Vertices slide along the interface towards equal edges, unless the
-/// simulation's options adapt edges to the shape (`turn_degrees`, `gap`) or set their length
+/// meshes. Second order in the edge length and in time; away from interfaces velocities are of
+/// third order, also beside curved walls without slip. No limit on the time step from tension or
+/// from the speed. Vertices slide along the interface towards equal edges, unless the simulation's
+/// options adapt edges to the shape (`turn_degrees`, `gap`) or set their length
 /// (`on_interface`). Stages of the simulation, such as `TopologyStage`, run as in any other one.
 /// The area of each phase is constant, apart from what flows in and out: after each sub-step each
 /// curve is moved along its normal by the distance that restores the areas.

@@ -137,9 +137,15 @@ void AttributeSet::reserve(std::size_t vertex_bound, std::size_t triangle_bound)
 }
 
 void AttributeSet::permute(SimplexKind kind, const std::vector<std::uint32_t>& order) {
+    std::vector<std::unique_ptr<AttributeBase>> permuted; // all of them, or none
     for (const auto& attribute : list_) {
         if (attribute->kind() == kind) {
-            attribute->swap_entries(*taken_from(*attribute, order));
+            permuted.push_back(taken_from(*attribute, order));
+        }
+    }
+    for (auto entries = permuted.begin(); const auto& attribute : list_) {
+        if (attribute->kind() == kind) {
+            attribute->swap_entries(**entries++);
         }
     }
     if (kind == SimplexKind::vertex) {

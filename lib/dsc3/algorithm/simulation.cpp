@@ -16,8 +16,8 @@ namespace {
 // Vertices may move farther than the speed at the beginning of a sub-step predicts, up to this
 // factor; otherwise the sub-step is shortened.
 constexpr Real sub_step_slack = 1.25;
-// Tets are renumbered after so many operations for each of them. With twice as many, Enright's test
-// takes a tenth more time at h = 1/64; with half as many it takes no less.
+// Tets are renumbered after this many operations per tet. With twice as many, Enright's test takes
+// a tenth more time at h = 1/64; with half as many it takes no less.
 constexpr Real worn_after = 0.25;
 
 const Options& checked(const Options& options) {
@@ -82,11 +82,13 @@ StepReport Simulation::advance(const Velocity& velocity, bool in_chunks, Real ti
         state_.find_interface();
         state_.late.clear();
     }
+    state_.unimproved.clear(); // of a step that an exception ended
     rewirings_ += state_.work.counts.rewirings();
     state_.work.counts = {};
     if (static_cast<Real>(rewirings_) > worn_after * complex_.tet_count()) {
         state_.renumber();
         rewirings_ = 0;
+        version_ = complex_.version;
     }
     if (submeshes_ != nullptr) {
         state_.update_interface();

@@ -133,24 +133,29 @@ void renumber(Complex& complex) {
 std::vector<std::uint32_t> renumber_tets(Complex& complex) {
     const Morton morton(complex);
     const std::uint32_t bound = complex.tet_bound();
-    // The upper half of the index is finer than any mesh; with the id in the lower one it sorts as
-    // one number. Free ids come last.
-    std::vector<std::uint64_t> places{0};
-    places.reserve(bound);
+    // The upper half of the index, with the id in the lower one, sorts as one number.
+    std::vector<std::uint64_t> places;
+    std::vector<std::uint32_t> order{0};
+    places.reserve(complex.tet_count());
+    order.reserve(bound);
     for (std::uint32_t t = 1; t < bound; ++t) {
-        std::uint64_t place = ~std::uint64_t{0} << 32U;
         if (complex.is_alive(Tet{t})) {
             const auto p = complex.positions_of(Tet{t});
-            place = morton(0.25 * (p[0] + p[1] + p[2] + p[3])) >> 31U << 32U;
+            places.push_back(morton(0.25 * (p[0] + p[1] + p[2] + p[3])) >> 31U << 32U | t);
         }
-        places.push_back(place | t);
     }
-    std::sort(places.begin() + 1, places.end());
-    std::vector<std::uint32_t> order(bound);
+    std::sort(places.begin(), places.end());
+    for (const std::uint64_t place : places) {
+        order.push_back(static_cast<std::uint32_t>(place));
+    }
+    for (std::uint32_t t = 1; t < bound; ++t) {
+        if (!complex.is_alive(Tet{t})) {
+            order.push_back(t);
+        }
+    }
     std::vector<std::uint32_t> ids(bound);
-    for (std::uint32_t t = 0; t < bound; ++t) {
-        order[t] = static_cast<std::uint32_t>(places[t]);
-        ids[order[t]] = t;
+    for (std::uint32_t k = 0; k < bound; ++k) {
+        ids[order[k]] = k;
     }
     places = {};
     const std::uint32_t living = complex.tet_count() + 1;

@@ -15,8 +15,8 @@ namespace {
 constexpr Real footprint = 3.5;
 constexpr Real min_extent = 16;
 // From so many places of work for each submesh, what runs at the same time outweighs what is
-// deferred at the cuts: in Enright's flow at h = 1/128, 16 submeshes instead of 4 give eight
-// threads (modelled) a speed-up of 4.3 instead of 3.4, and two threads the same.
+// deferred at the cuts: in the first steps of Enright's flow at h = 1/128, up to 16 submeshes
+// instead of 4 give eight threads (modelled) a speed-up of 4.1 instead of 3.3, two the same.
 constexpr std::size_t min_work = 4000;
 constexpr std::uint32_t min_submeshes = 4;
 // A sample is enough to find cuts.
@@ -156,8 +156,9 @@ private:
 
 // The default number. Slabs and blocks become thin where cells, which are cut while they are wide,
 // do not.
-std::uint32_t submeshes_for(std::size_t places, Division division) {
-    const std::size_t most = division == Division::cells ? submesh_limit : default_slabs;
+std::uint32_t submeshes_for(std::size_t places, const Parallel& parallel) {
+    const bool are_cells = parallel.division == Division::cells && !parallel.partition;
+    const std::size_t most = are_cells ? submesh_limit : default_slabs;
     return static_cast<std::uint32_t>(
         std::bit_floor(std::clamp<std::size_t>(places / min_work, min_submeshes, most)));
 }
@@ -181,9 +182,8 @@ bool is_near_border(const Point& p, const Parallel& parallel, Real edge_length) 
 std::array<CutTree, colour_count> cut_colours(std::vector<Point>& places, const Parallel& parallel,
                                               Real edge_length) {
     std::array<CutTree, colour_count> trees;
-    const std::uint32_t submeshes = parallel.submeshes == 0
-                                        ? submeshes_for(places.size(), parallel.division)
-                                        : parallel.submeshes;
+    const std::uint32_t submeshes =
+        parallel.submeshes == 0 ? submeshes_for(places.size(), parallel) : parallel.submeshes;
     std::vector<Point> sample;
     std::vector<Point> near;
     for (CutTree& tree : trees) {

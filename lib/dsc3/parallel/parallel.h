@@ -31,7 +31,7 @@ inline constexpr std::array division_names{
 struct Parallel {
     std::uint32_t threads = 1; ///< largest number of threads, 1 to 1024
     /// Into how many submeshes the mesh is divided at most: a power of two up to 64. 0: by the
-    /// work, from 4 on: cells up to 64, slabs and blocks up to 8.
+    /// work, from 4 on: cells up to 64, slabs, blocks and partitions up to 8.
     std::uint32_t submeshes = 0;
     Division division = Division::cells;
     /// In place of `division`; its numbers count modulo `submeshes`, or modulo 8 if that is 0.

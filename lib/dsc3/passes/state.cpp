@@ -67,7 +67,8 @@ void PassState::find_interface() {
 
 void PassState::renumber() {
     const std::vector<std::uint32_t> ids = renumber_tets(complex);
-    std::erase_if(unfit, [&](std::uint32_t& t) { return (t = ids[t]) == no_id; });
+    std::erase_if(unfit,
+                  [&](std::uint32_t& t) { return (t = t < ids.size() ? ids[t] : no_id) == no_id; });
 }
 
 void PassState::drop_stale_late() {

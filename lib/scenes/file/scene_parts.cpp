@@ -66,24 +66,30 @@ bool is_on_border(const Point<double>& p, const Outline& outline) {
     return false;
 }
 
-// Whether a polygon lies in another one, by the even-odd rule at most of its points that are not on
-// the other's border.
+// By the even-odd rule.
+bool is_in(const Point<double>& p, const Outline& outline) {
+    bool is_inside = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const Point<double>& a = outline[i];
+        const Point<double>& b = outline[j];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+            is_inside = !is_inside;
+        }
+    }
+    return is_inside;
+}
+
+// Whether a polygon lies in another one: most of its points and of the middles of its edges that
+// are not on the other's border do.
 bool lies_in(const Outline& inner, const Outline& outer) {
     std::ptrdiff_t inside = 0;
-    for (const Point<double>& p : inner) {
-        if (is_on_border(p, outer)) {
-            continue;
-        }
-        bool is_inside = false;
-        for (std::size_t i = 0, j = outer.size() - 1; i < outer.size(); j = i++) {
-            const Point<double>& a = outer[i];
-            const Point<double>& b = outer[j];
-            if ((a.y() > p.y()) != (b.y() > p.y()) &&
-                p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-                is_inside = !is_inside;
+    for (std::size_t i = 0, j = inner.size() - 1; i < inner.size(); j = i++) {
+        for (const Point<double>& p : {inner[i], Point<double>((inner[i] + inner[j]) / 2)}) {
+            if (!is_on_border(p, outer)) {
+                inside += is_in(p, outer) ? 1 : -1;
             }
         }
-        inside += is_inside ? 1 : -1;
     }
     return inside > 0;
 }

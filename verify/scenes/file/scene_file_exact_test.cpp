@@ -68,14 +68,19 @@ TEST(SceneFileExact, OfSeveralPhasesIsThatOfTheMeasuredOne) {
     EXPECT_THROW((void)setup_of(text), InputError) << "which of them?";
 }
 
-// Of the triangle's three points two lie on a side of the rectangle, but the third is outside.
-TEST(SceneFileExact, APolygonBesideAnotherIsNoHoleInIt) {
-    const auto setup = setup_of(
-        "[options]\nh = 0.05\ndt = 0.1\nperiod = 2\n" + swirl_flow + "[exact]\nback = true\n" +
-        "[[shape]]\npoints = [[0.3, 0.3], [0.5, 0.3], [0.5, 0.7], [0.3, 0.7]]\n"
-        "[[shape]]\nphase = 2\npoints = [[0.3, 0.65], [0.1, 0.5], [0.3, 0.35]]\n"
-        "[measure]\nphase = 1\n");
-    EXPECT_NEAR(setup.exact(0).area, 0.2 * 0.4, 1e-12);
+// Points on the other's border say nothing: the triangle has two of them, the rhombus only such.
+TEST(SceneFileExact, APolygonThatTouchesAnotherIsAHoleIfItIsInside) {
+    const auto area_beside = [](const std::string& points) {
+        return setup_of("[options]\nh = 0.05\ndt = 0.1\nperiod = 2\n" + swirl_flow +
+                        "[exact]\nback = true\n[measure]\nphase = 1\n"
+                        "[[shape]]\npoints = [[0.3, 0.3], [0.5, 0.3], [0.5, 0.7], [0.3, 0.7]]\n"
+                        "[[shape]]\nphase = 2\npoints = " +
+                        points + "\n")
+            .exact(0)
+            .area;
+    };
+    EXPECT_NEAR(area_beside("[[0.3, 0.65], [0.1, 0.5], [0.3, 0.35]]"), 0.2 * 0.4, 1e-12);
+    EXPECT_NEAR(area_beside("[[0.4, 0.3], [0.5, 0.5], [0.4, 0.7], [0.3, 0.5]]"), 0.04, 1e-12);
 }
 
 TEST(SceneFileExact, IsMeasuredWhereTheExactShapeIsKnown) {
