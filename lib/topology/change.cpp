@@ -11,8 +11,20 @@
 #include "topology/junctions/junctions.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace dsc {
+
+namespace {
+
+template <class Real>
+std::vector<Vertex> touched_since(const TopologyWork<Real>& work, std::size_t first) {
+    return {work.touched.begin() + static_cast<std::ptrdiff_t>(first), work.touched.end()};
+}
+
+} // namespace
 
 template <class Real>
 AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candidates) {
@@ -36,12 +48,17 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
         open_wide_films<Real>(work, candidates);
     }
     open_boundary_films<Real>(work, has_wide ? candidates : notable);
+    // A film that opens is mended by the next sub-step, as what follows may move there at once.
+    const std::size_t touched_by_films = work.touched.size();
     meet_fronts(work);
+    std::vector<Vertex> mended = touched_since(work, touched_by_films);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
+    const std::size_t touched_before_junctions = work.touched.size();
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
-    split_touched(work);
+    std::ranges::copy(touched_since(work, touched_before_junctions), std::back_inserter(mended));
+    split_touched(work, std::move(mended));
     return give_back(work);
 }
 
