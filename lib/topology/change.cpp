@@ -48,11 +48,12 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
         open_wide_films<Real>(work, candidates);
     }
     open_boundary_films<Real>(work, has_wide ? candidates : notable);
-    // A film that opens is mended by the next sub-step, as what follows may move there at once.
-    const std::size_t touched_by_films = work.touched.size();
+    // Wide films, films along the domain boundary and vertices that land go on moving at once: what
+    // they leave slender is not mended here.
+    const std::size_t touched_first = work.touched.size();
     meet_fronts(work);
-    std::vector<Vertex> mended = touched_since(work, touched_by_films);
     open_films<Real>(work, candidates, notable);
+    std::vector<Vertex> mended = touched_since(work, touched_first);
     land_vertices<Real>(work, has_wide ? candidates : notable);
     const std::size_t touched_before_junctions = work.touched.size();
     change_junctions<Real>(work, notable);
