@@ -97,7 +97,7 @@ private:
     std::unique_ptr<Submeshes> submeshes_; ///< none: sequential
     PassState state_;
     std::uint64_t version_;       ///< of the complex at the end of the last step
-    std::uint64_t rewirings_ = 0; ///< since the last renumbering, but for those of the last step
+    std::uint64_t rewirings_ = 0; ///< since the last renumbering, without the last step
     bool in_chunks_ = false;      ///< whether the velocity may be called for some of the vertices
     StepReport report_;
     std::vector<Point> origins_;

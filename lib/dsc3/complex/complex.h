@@ -204,8 +204,8 @@ void archive(dsc::Archive& archive, Complex& complex);
 /// Renumbers vertices and tets along a Morton curve, which makes a step a quarter faster, and drops
 /// the free ids. All handles become invalid. O(n log n).
 void renumber(Complex& complex);
-/// The same of the tets alone, in place: handles of vertices stay valid. Returns the new ids of the
-/// old ones, `no_id` for free ones. O(n log n).
+/// Renumbers the tets alone, in place: handles of vertices stay valid. Returns the new id of each
+/// old one, `no_id` for free ids. O(n log n).
 std::vector<std::uint32_t> renumber_tets(Complex& complex);
 
 /// A hash of the mesh: of the bits of the coordinates of the vertices of all living tets, and of

@@ -56,7 +56,7 @@ std::vector<std::uint32_t> numbers(Order& order, std::uint32_t bound, std::uint3
     return result;
 }
 
-// Gives place k what is at place order[k], for arrays by tet, in place. Spoils the order.
+// Moves the tet at order[k] to k, for all k, in place. Spoils the order.
 void permute_tets(Complex& complex, std::vector<std::uint32_t>& order) {
     for (std::uint32_t first = 1; first < order.size(); ++first) {
         const TetRecord tet = complex.tets[first];

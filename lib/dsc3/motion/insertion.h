@@ -9,7 +9,8 @@
 
 namespace dsc3 {
 
-/// The position of a new vertex on the interface edge from a to b.
+/// The position of a new vertex on the interface edge from a to b. Vertices that have not arrived
+/// are at their targets during the call, so tets beside them may be inverted.
 using InsertionFunction =
     std::function<Point(const Complex& complex, Workspace& work, std::uint32_t a, std::uint32_t b)>;
 

@@ -25,7 +25,8 @@ struct OperationCounts {
     std::uint64_t reassigned = 0;          ///< flat tets on the interface that changed phase
 
     OperationCounts& operator+=(const OperationCounts& other);
-    /// Of those that make tets: all but smoothing, and reassignment, which an edge removal follows.
+    /// The operations that make tets: all but smoothing, and reassignments, because the edge
+    /// removal that follows each is counted.
     [[nodiscard]] std::uint64_t rewirings() const {
         return splits + collapses + edge_removals + face_flips + interface_splits +
                interface_collapses + interface_flips;

@@ -154,8 +154,7 @@ private:
     std::vector<Real> coordinates_;
 };
 
-// The default number. Slabs and blocks become thin where cells, which are cut while they are wide,
-// do not.
+// The default number. Cells are cut only while they are wide; slabs and blocks would become thin.
 std::uint32_t submeshes_for(std::size_t places, const Parallel& parallel) {
     const bool are_cells = parallel.division == Division::cells && !parallel.partition;
     const std::size_t most = are_cells ? submesh_limit : default_slabs;

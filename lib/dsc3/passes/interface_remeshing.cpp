@@ -69,8 +69,8 @@ void look_at(PassState& state, std::uint32_t t, std::uint32_t chunk, Sight sight
         for (std::uint32_t j = 0; j < 3; ++j) {
             const std::uint32_t a = face[j];
             const std::uint32_t b = face[(j + 1) % 3];
-            // The phase rises and falls around an edge, so two of its faces are oriented unlike;
-            // but an edge on a side may have one.
+            // The phase rises and falls around an edge, so two of its faces have opposite
+            // orientations; but an edge on a side may have one face.
             if (sight == Sight::once && a > b && complex.fixed_along(a, b) == 0) {
                 continue;
             }

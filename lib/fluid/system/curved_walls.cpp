@@ -4,6 +4,7 @@
 #include "dsc/geometry/side.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dsc {
 
@@ -16,19 +17,19 @@ Point<double> sagitta_of(const MeshSnapshot& mesh, std::uint32_t before, std::ui
     };
     const Side at_a = side_at<double>(mesh.nodes[before], a, b, is_marked(from));
     const Side at_b = side_at<double>(a, b, mesh.nodes[after], is_marked(to));
-    if (at_a == Side::straight || at_b == Side::straight ||
-        (at_a == at_b && at_a == Side::feature)) {
+    if (at_a == Side::straight || at_b == Side::straight) {
         return {0, 0};
     }
     const double half = (b - a).norm() / 2;
-    const Point<double> by_a = at_a == Side::feature
-                                   ? Point<double>(0, 0)
-                                   : point_of_side<double>(a, mesh.nodes[before], b, half);
-    const Point<double> by_b = at_b == Side::feature
-                                   ? Point<double>(0, 0)
-                                   : point_of_side<double>(a, mesh.nodes[after], b, half);
-    const bool has_two = at_a == at_b;
-    return (has_two ? 0.5 : 1.0) * (by_a + by_b) - (a + b) / 2;
+    Point<double> sum(0, 0);
+    int circles = 0;
+    for (const auto& [side, neighbour] : {std::pair(at_a, before), std::pair(at_b, after)}) {
+        if (side != Side::feature) {
+            sum += point_of_side<double>(a, mesh.nodes[neighbour], b, half);
+            ++circles;
+        }
+    }
+    return circles == 0 ? Point<double>(0, 0) : Point<double>(sum / circles - (a + b) / 2);
 }
 
 Point<double> change_to_wall(const FluidField& last, const MeshSnapshot& mesh,

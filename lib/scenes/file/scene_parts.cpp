@@ -2,8 +2,8 @@
 #include "scenes/file/scene_parts.h"
 
 #include "dsc/base/error.h"
-#include "dsc/geometry/points.h"
 #include "flows/exact.h"
+#include "measures/symmetric_difference.h"
 #include "scenes/file/formula/formula_flow.h"
 #include "scenes/file/outlines/label_file.h"
 #include "scenes/file/text_file.h"
@@ -54,44 +54,10 @@ struct FirstShape {
     bool is_hole = false;
 };
 
-bool is_on_border(const Point<double>& p, const Outline& outline) {
-    constexpr double rounding = 1e-12; // relative
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const double length = std::max((outline[i] - outline[j]).norm(), p.cwiseAbs().maxCoeff());
-        if (squared_distance<double>(p, outline[j], outline[i]) <=
-            rounding * rounding * length * length) {
-            return true;
-        }
-    }
-    return false;
-}
-
-// By the even-odd rule.
-bool is_in(const Point<double>& p, const Outline& outline) {
-    bool is_inside = false;
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const Point<double>& a = outline[i];
-        const Point<double>& b = outline[j];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-            is_inside = !is_inside;
-        }
-    }
-    return is_inside;
-}
-
-// Whether a polygon lies in another one: most of its points and of the middles of its edges that
-// are not on the other's border do.
+// Whether most of a polygon lies in another one; they may share points and edges.
 bool lies_in(const Outline& inner, const Outline& outer) {
-    std::ptrdiff_t inside = 0;
-    for (std::size_t i = 0, j = inner.size() - 1; i < inner.size(); j = i++) {
-        for (const Point<double>& p : {inner[i], Point<double>((inner[i] + inner[j]) / 2)}) {
-            if (!is_on_border(p, outer)) {
-                inside += is_in(p, outer) ? 1 : -1;
-            }
-        }
-    }
-    return inside > 0;
+    const OverlapAreas areas = overlap_areas({.outlines = {&inner, 1}}, {.outlines = {&outer, 1}});
+    return areas.both > areas.only_first;
 }
 
 // The phase of the smallest outline around one.

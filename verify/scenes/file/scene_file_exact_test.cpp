@@ -68,7 +68,7 @@ TEST(SceneFileExact, OfSeveralPhasesIsThatOfTheMeasuredOne) {
     EXPECT_THROW((void)setup_of(text), InputError) << "which of them?";
 }
 
-// Points on the other's border say nothing: the triangle has two of them, the rhombus only such.
+// The triangle has two of its three points on the rectangle's border, the rhombus all four.
 TEST(SceneFileExact, APolygonThatTouchesAnotherIsAHoleIfItIsInside) {
     const auto area_beside = [](const std::string& points) {
         return setup_of("[options]\nh = 0.05\ndt = 0.1\nperiod = 2\n" + swirl_flow +
