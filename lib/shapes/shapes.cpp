@@ -67,7 +67,7 @@ double turn(double from, double to) {
 
 Outline circle(const Point<double>& centre, double radius, double edge_length) {
     check_positive(radius, "radius", "circle");
-    const int count = std::max(8, parts(2.0 * pi * radius, edge_length, "circle"));
+    const int count = std::max(fewest_of_disc, parts(2.0 * pi * radius, edge_length, "circle"));
     Outline outline;
     outline.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {

@@ -11,7 +11,12 @@
 
 namespace dsc::scenes {
 
-/// max(8, ceil(2 pi radius / edge_length)) vertices on the circle, the first at angle zero.
+/// A disc has at least so many vertices, which turn by 30 degrees: with fewer, they would be the
+/// corners of a polygon to a flow that opens corners, such as growth.
+inline constexpr int fewest_of_disc = 12;
+
+/// max(fewest_of_disc, ceil(2 pi radius / edge_length)) vertices on the circle, the first at angle
+/// zero.
 [[nodiscard]] Outline circle(const Point<double>& centre, double radius, double edge_length);
 
 /// A polygon with each side cut into equal parts.

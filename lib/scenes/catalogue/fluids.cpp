@@ -4,6 +4,7 @@
 #include "scenes/catalogue/coalescence.h"
 #include "scenes/catalogue/families.h"
 #include "scenes/catalogue/small_waves.h"
+#include "shapes/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,13 +103,14 @@ double of_disc_area(int count) {
 }
 
 Outline disc(const Point<double>& centre, double radius, double h) {
-    const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * radius / h)) + 1);
+    const int count =
+        std::max(fewest_of_disc, static_cast<int>(std::ceil(2 * pi * radius / h)) + 1);
     return around(centre, count, [=](double) { return radius * of_disc_area(count); });
 }
 
 // A disc of radius 1 with a small wave of two crests.
 Outline waved_disc(const Point<double>& centre, double height, double h) {
-    const int count = std::max(8, static_cast<int>(std::ceil(2 * pi * stretched / h)));
+    const int count = std::max(fewest_of_disc, static_cast<int>(std::ceil(2 * pi * stretched / h)));
     return around(centre, count, [=](double angle) {
         return of_disc_area(count) * (1 + height * std::cos(2 * angle));
     });

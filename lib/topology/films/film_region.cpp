@@ -103,7 +103,17 @@ void FilmRegion<Real>::add_ray(Corner sheet) {
 template <class Real>
 void FilmRegion<Real>::fill() {
     const Complex<Real>& complex = work_.complex;
+    // Each goes to the phase beyond its own sheet: fronts of several phases may be beside the film.
     const auto take = [&](Triangle t, Phase to) {
+        Real longest = 0;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Corner side = corner_of(t.id, k);
+            const Real length = direction(complex, side).squaredNorm();
+            if (!is_border(complex.twin(side)) && is_sheet(complex, side) && length > longest) {
+                longest = length;
+                to = phase_beyond(complex, side);
+            }
+        }
         offer(t, to, std::numeric_limits<Real>::infinity());
     };
     for (std::size_t i = 0; i < order_.size(); ++i) { // it grows

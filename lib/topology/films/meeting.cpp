@@ -104,7 +104,7 @@ private:
         }
     }
 
-    // Each front goes on at its speed until both are at one place, which moves along their
+    // Each front goes on along its normal until both are at one place, which moves along their
     // bisector.
     [[nodiscard]] static Point<Real> meeting_place(const Sight<Real>& sight, const Point<Real>& v,
                                                    const Point<Real>& q) {
@@ -178,7 +178,8 @@ private:
     std::uint32_t meet_at(const Sight<Real>& sight, std::uint32_t q) {
         const std::uint32_t v = sight.v;
         const Point<Real> middle = (at(v) + at(q)) / Real(2);
-        const std::uint32_t kept = contract(work_, v, q, meeting_place(sight, at(v), at(q)));
+        const std::uint32_t kept =
+            contract(work_, v, q, meeting_place(sight, at(v), sight.front_q));
         return kept != no_id || sight.is_on_boundary ? kept : contract<Real>(work_, v, q, middle);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/sight.h"
 
+#include "dsc/motion/interpolation.h"
 #include "dsc/queries/phases.h"
 #include "topology/films/bridge.h"
 #include "topology/junctions/sectors.h"
@@ -22,6 +23,8 @@ constexpr double max_gap_of_fronts = 1.25;
 constexpr double snap = 0.3;
 /// Fronts approach if they come closer by this share of their way.
 constexpr double min_closing = 0.05;
+/// Cosine of the largest turn (45 degrees) within one bend of a front.
+constexpr double bend_cosine = 0.7;
 
 template <class Real>
 class Looking {
@@ -159,11 +162,60 @@ private:
         Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
         sight.one = beyond(sectors, k, towards);
         sight.other = phase_beyond(complex_, c);
-        sight.normal_v = middle_of(sector);
-        sight.normal_q = {-way.y() / length, way.x() / length};
+        sight.normal_v = normal_of(v, sector);
+        see_curve(c, sight);
         if (closes(sight, towards, encloses)) {
             best = sight;
         }
+    }
+
+    // Whether a front goes smoothly through a vertex: where it turns by more, it has a corner.
+    [[nodiscard]] bool is_one_bend(std::uint32_t v, const Point<Real>& from, const Point<Real>& at,
+                                   const Point<Real>& to) const {
+        return !complex_.is_feature(Vertex{v}) && turns_less<Real>(from, at, to, Real(bend_cosine));
+    }
+
+    // The normal of a front at a vertex, into its sector: that of the parabola through both
+    // neighbours by chord length. The bisector would lean towards the longer edge.
+    [[nodiscard]] Point<Real> normal_of(std::uint32_t v, const Sector<Real>& sector) const {
+        Corner last = sector.first;
+        for (std::size_t i = 1; i < sector.count; ++i) {
+            last = corner_ccw(complex_, last);
+        }
+        const Point<Real> from = at(complex_.vertex(next(sector.first)));
+        const Point<Real> to = at(complex_.vertex(prev(last)));
+        if (!is_one_bend(v, from, at(v), to)) {
+            return middle_of(sector);
+        }
+        const Point<Real> back = from - at(v);
+        const Point<Real> ahead = to - at(v);
+        const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
+        return Point<Real>(-tangent.y(), tangent.x()).normalized();
+    }
+
+    // The point and normal of a front at a share of an edge, on the cubic that new vertices lie on:
+    // chords lag behind their arcs.
+    void see_curve(Corner c, Sight<Real>& sight) const {
+        const std::uint32_t a = complex_.vertex(next(c));
+        const std::uint32_t b = complex_.vertex(prev(c));
+        CurveNeighbours<Real> curve{.p1 = at(a), .p2 = at(b)};
+        const Corner after = along_outline(complex_, c);
+        const Corner before = along_outline(complex_, complex_.twin(c));
+        if (!is_border(complex_.twin(before)) &&
+            phase_beyond(complex_, before) == complex_.phase_at(c)) {
+            curve.p0 = at(complex_.vertex(prev(before)));
+            curve.has_first = is_one_bend(a, curve.p0, curve.p1, curve.p2);
+        }
+        if (!is_border(complex_.twin(after)) &&
+            phase_beyond(complex_, after) == phase_beyond(complex_, c)) {
+            curve.p3 = at(complex_.vertex(prev(after)));
+            curve.has_last = is_one_bend(b, curve.p1, curve.p2, curve.p3);
+        }
+        constexpr Real beside = Real(0.05); // of the edge
+        const Point<Real> along =
+            curve_point(curve, sight.share + beside) - curve_point(curve, sight.share - beside);
+        sight.front_q = curve_point(curve, sight.share);
+        sight.normal_q = Point<Real>(-along.y(), along.x()).normalized();
     }
 
     // Whether an edge from the sector's vertex to another lies within it.
@@ -208,8 +260,9 @@ private:
             Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
             sight.one = beyond(sectors, k, towards);
             sight.other = beyond(there, i, back);
-            sight.normal_v = middle_of(sectors[k]);
-            sight.normal_q = middle_of(sector);
+            sight.normal_v = normal_of(v, sectors[k]);
+            sight.normal_q = normal_of(q, sector);
+            sight.front_q = at(q);
             if (closes(sight, towards, false)) {
                 best = sight;
             }
@@ -240,6 +293,7 @@ private:
                 Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = film};
                 sight.one = sectors[1].phase;
                 sight.other = there[there.size() - 2].phase;
+                sight.front_q = at(q);
                 sight.normal_v = way / gap;
                 sight.normal_q = -way / gap;
                 sight.is_on_boundary = true;
@@ -296,9 +350,9 @@ private:
         }
         const auto own_way = way_of(sight.v);
         const Point<Real> none = Point<Real>::Zero();
-        sight.speed_v = own_way.value_or(none).dot(towards);
-        sight.speed_q = -other_way.value_or(none).dot(towards);
-        const Real closing = sight.speed_v + sight.speed_q;
+        sight.speed_v = own_way.value_or(none).dot(sight.normal_v);
+        sight.speed_q = other_way.value_or(none).dot(sight.normal_q);
+        const Real closing = (own_way.value_or(none) - other_way.value_or(none)).dot(towards);
         const Real way = own_way.value_or(none).norm() + other_way.value_or(none).norm();
         if (is_held) {
             sight.speed_v = sight.speed_q = 1;

@@ -17,13 +17,14 @@ struct Sight {
     std::uint32_t q = no_id;                    ///< a vertex of the other front...
     Corner edge = no_id;                        ///< ...or the edge on which its foot lies,
     Real share = 0;                             ///< at this share of it
+    Point<Real> front_q = Point<Real>::Zero();  ///< the point of the other front's curve there
     Real gap = 0;                               ///< the distance of the two fronts
     Phase film = 0;                             ///< between them
     Phase one = 0;                              ///< beyond v
     Phase other = 0;                            ///< beyond q
     Point<Real> normal_v = Point<Real>::Zero(); ///< of the fronts, into the film
     Point<Real> normal_q = Point<Real>::Zero(); ///< the same at q
-    Real speed_v = 0;                           ///< ways towards each other in the last sub-step
+    Real speed_v = 0;                           ///< ways along the normals in the last sub-step
     Real speed_q = 0;                           ///< the same at q
     bool is_on_boundary = false;                ///< both lie on the domain boundary
 };

@@ -3,6 +3,7 @@
 
 #include "dsc/base/error.h"
 #include "scenes/file/text_file.h"
+#include "shapes/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ OutlineSource ellipse(const TableReader& reader, const Point<double>& radii, dou
     const auto pieces = [=, where = reader.where()](double h) {
         require(length / h <= max_edges_of_shape, where + ": edge length", h,
                 "at most 1000000 edges of the shape");
-        const int count = std::max(8, static_cast<int>(std::ceil(length / h)));
+        const int count = std::max(fewest_of_disc, static_cast<int>(std::ceil(length / h)));
         std::vector<Point<double>> points;
         for (int i = 0; i < count; ++i) {
             points.push_back(at(2 * pi * i / count));
