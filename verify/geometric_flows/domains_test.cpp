@@ -107,5 +107,19 @@ TEST(Corners, KeepNoNeedleOfAPhaseThatVanishedThere) {
     }
 }
 
+// A grain meets the side of the domain behind a notch. The curve is then drawn into the notch, and
+// its next vertex is blocked for a second time in the same sub-step: it lands, as it would have
+// landed for the first time.
+TEST(Corners, VerticesThatAnEventLeavesBlockedLand) {
+    auto complex = grains({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, {}},
+                          {{-1.3, -1.3}, {2.3, 2.3}}, 120, 16);
+    Simulation<double> simulation(complex, without_features());
+    let_phases_vanish(simulation);
+    for (int step = 0; step < 10; ++step) {
+        EXPECT_EQ(simulation.step(curvature_flow<double>(), 0.001 * step, 0.001).unreached, 0U);
+    }
+    EXPECT_EQ(validate(complex).problem, "");
+}
+
 } // namespace
 } // namespace dsc::domains_test

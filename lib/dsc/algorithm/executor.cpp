@@ -198,10 +198,11 @@ std::uint64_t Executor<Real>::move_missed(std::span<const std::uint32_t> gone) {
     if (!whole_.moving_vertices.empty()) {
         (void)run_motion(whole_, algorithm_.motion, epoch_);
         whole_.deferred.clear();
-        // Their misses have been counted.
+        // Their misses have been counted, except where a stage has cleared the count.
         for (const auto& moving_vertex : whole_.moving_vertices) {
-            complex_.vertices[moving_vertex.vertex].flags &=
-                ~static_cast<std::uint32_t>(vertex_on_way);
+            auto& flags = complex_.vertices[moving_vertex.vertex].flags;
+            flags &= ~static_cast<std::uint32_t>(vertex_on_way);
+            flags |= (flags & vertex_contact) == 0 ? std::uint32_t{vertex_missed} : 0U;
         }
     }
     const std::size_t left = whole_.moving_vertices.size();
