@@ -39,15 +39,24 @@ TEST(Geometry3, ExtremeAnglesAreThoseOfAllTets) {
             const Point by(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5);
             complex.set_position(Vertex{v}, complex.at(v) + 2 * most * by);
         }
+        for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
+            complex.set_phase(Tet{t}, static_cast<Phase>(3 * random.unit()));
+        }
         DihedralAngles all;
         for (std::uint32_t t = 1; t < complex.tet_bound(); ++t) {
             const DihedralAngles here = dihedral_angles(complex.positions_of(Tet{t}));
             all.smallest = std::min(all.smallest, here.smallest);
             all.largest = std::max(all.largest, here.largest);
         }
+        Real face = 180;
+        for (const auto& [v, inside, outside] : interface_faces(complex)) {
+            face = std::min(
+                face, min_angle_degrees(complex.at(v[0]), complex.at(v[1]), complex.at(v[2])));
+        }
         const MeshQuality found = mesh_quality(complex);
         EXPECT_EQ(found.min_dihedral, all.smallest) << most;
         EXPECT_EQ(found.max_dihedral, all.largest) << most;
+        EXPECT_EQ(found.min_face_angle, face) << most;
     }
 }
 

@@ -117,6 +117,7 @@ TEST(Parallel3, AnyDivisionWillDo) {
             ASSERT_TRUE(validate(one.complex).ok()) << "step " << k;
             three.step(k);
             ASSERT_EQ(three.bytes(), one.bytes()) << "step " << k;
+            EXPECT_EQ(three.simulation.mesh_quality(), mesh_quality(one.complex));
         }
         EXPECT_GT(sum.treated_together, 0.5 * double(sum.treated));
         EXPECT_NEAR(phase_volume(one.complex, 1) / volume, 1, 0.01);

@@ -225,6 +225,21 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
     return 0;
 }
 
+MeshQuality Simulation::mesh_quality() {
+    std::array<MeshQuality, Team::max_chunks> parts;
+    constexpr std::size_t grain = 1024;
+    team_.chunks(complex_.tets.size(), grain,
+                 [&](std::uint32_t chunk, std::size_t begin, std::size_t end, std::uint32_t) {
+                     parts[chunk] = dsc3::mesh_quality(complex_, static_cast<std::uint32_t>(begin),
+                                                       static_cast<std::uint32_t>(end));
+                 });
+    MeshQuality all;
+    for (const MeshQuality& part : parts) {
+        all += part;
+    }
+    return all;
+}
+
 void Simulation::archive(dsc::Archive& archive) {
     dsc::as_a_whole(archive, [this](dsc::Archive& each) { transfer(each); });
     if (archive.is_reading()) {

@@ -6,6 +6,7 @@
 #include "dsc/algorithm/simulation.h"
 #include "dsc3/parallel/parallel.h"
 #include "dsc3/passes/state.h"
+#include "dsc3/queries/phases.h"
 
 #include <cstdint>
 #include <memory>
@@ -73,6 +74,10 @@ public:
     /// identical. O(n log n). Throws FileError if the bytes hold no valid complex, or one with
     /// other attributes or submeshes; the simulation and its complex are then unchanged.
     void archive(dsc::Archive& archive);
+
+    /// The extremes of the mesh, found by the threads of the simulation; adds to `profile`.
+    /// O(mesh).
+    [[nodiscard]] MeshQuality mesh_quality();
 
     /// The vertices of the interface, by ascending id.
     [[nodiscard]] const std::vector<std::uint32_t>& interface() const { return state_.interface; }

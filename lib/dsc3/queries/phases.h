@@ -28,9 +28,16 @@ struct MeshQuality {
     Real min_dihedral = 180;   ///< in degrees
     Real max_dihedral = 0;     ///< in degrees
     Real min_face_angle = 180; ///< of the interface, in degrees
+
+    /// The extremes of both.
+    MeshQuality& operator+=(const MeshQuality& other);
+    friend bool operator==(const MeshQuality&, const MeshQuality&) = default;
 };
 
-/// Measures the mesh.
+/// Measures the mesh; `Simulation::mesh_quality` does it with several threads.
 [[nodiscard]] MeshQuality mesh_quality(const Complex& complex);
+/// Measures the tets with ids from `first` to `last` - 1, and the faces of the interface at them.
+[[nodiscard]] MeshQuality mesh_quality(const Complex& complex, std::uint32_t first,
+                                       std::uint32_t last);
 
 } // namespace dsc3

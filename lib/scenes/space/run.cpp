@@ -160,13 +160,9 @@ private:
         result_.tet_steps += complex_.tet_count();
         result_.interface_vertices_max =
             std::max(result_.interface_vertices_max, step.interface_vertices);
-        const dsc3::MeshQuality now = dsc3::mesh_quality(complex_);
-        dsc3::MeshQuality& ever = result_.quality_ever;
-        ever = {std::min(ever.worst, now.worst), std::min(ever.min_dihedral, now.min_dihedral),
-                std::max(ever.max_dihedral, now.max_dihedral),
-                std::min(ever.min_face_angle, now.min_face_angle)};
-        result_.quality_last = now;
-        result_.inverted += now.worst > 0 ? 0U : 1U;
+        result_.quality_last = simulation_->mesh_quality();
+        result_.quality_ever += result_.quality_last;
+        result_.inverted += result_.quality_last.worst > 0 ? 0U : 1U;
         if (setup_.half_step == result_.steps && setup_.last) {
             result_.sd_rel_half =
                 volume_between(complex_, setup_, result_.steps * setup_.dt) / setup_.volume_last;
