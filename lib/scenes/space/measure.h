@@ -12,8 +12,10 @@ namespace dsc::scenes::space {
 
 /// The volume between the interface at some time and the exact one, for a flow that conserves
 /// volume. It is measured at time 0, when the exact interface is known: each face is cut into 16
-/// pieces, whose vertices are moved back by the flow.
-[[nodiscard]] double volume_between(const dsc3::Complex& complex, const Setup& setup, double time);
+/// pieces, whose vertices are moved back by the flow. The result is the same for any number of
+/// threads.
+[[nodiscard]] double volume_between(const dsc3::Complex& complex, const Setup& setup, double time,
+                                    std::uint32_t threads);
 
 /// Distances of interface vertices from a shape.
 struct VertexErrors {

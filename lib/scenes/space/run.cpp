@@ -164,8 +164,10 @@ private:
         result_.quality_ever += result_.quality_last;
         result_.inverted += result_.quality_last.worst > 0 ? 0U : 1U;
         if (setup_.half_step == result_.steps && setup_.last) {
+            const std::uint32_t threads = options_.parallel ? options_.parallel->threads : 1;
             result_.sd_rel_half =
-                volume_between(complex_, setup_, result_.steps * setup_.dt) / setup_.volume_last;
+                volume_between(complex_, setup_, result_.steps * setup_.dt, threads) /
+                setup_.volume_last;
         }
     }
 
