@@ -188,13 +188,14 @@ bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
     return edge.is_valid() && gather(complex, edge, ring) && !has_one_phase(complex, ring);
 }
 
-// While it lives, late vertices are where they should be, so that all are at the same time.
+// While it lives, late vertices are where they should be, so that all are at the same time: between
+// late vertices, the middle to which the flow has carried an edge is not where its middle is now.
 class AtTargets {
 public:
-    AtTargets(Complex& complex, const std::vector<LateVertex>& late)
-        : complex_(complex), late_(late) {
-        for (const LateVertex& one : late_) {
-            complex_.vertices[one.vertex].position = one.target;
+    explicit AtTargets(PassState& state)
+        : complex_(state.complex), late_(state.late), entries_(state.threads[0].places) {
+        for (std::size_t k = 0; k < late_.size(); ++k) {
+            enter(k);
         }
     }
     AtTargets(const AtTargets&) = delete;
@@ -205,34 +206,66 @@ public:
         }
     }
 
+    void add(const LateVertex& one) {
+        late_.push_back(one);
+        enter(late_.size() - 1);
+    }
+    // Moves the late ones of the vertices of the tets around an edge to their places, or back.
+    void move(const EdgeAt& edge, const Ring& ring, Point LateVertex::*to) {
+        move(edge.a, to);
+        move(edge.b, to);
+        for (std::uint32_t i = 0; i < ring.size + (ring.closed ? 0 : 1); ++i) {
+            move(ring.vertices[i], to);
+        }
+    }
+
 private:
+    void enter(std::size_t k) {
+        const LateVertex& one = late_[k];
+        if (one.vertex >= entries_.size()) {
+            entries_.resize(complex_.vertex_bound());
+        }
+        entries_[one.vertex] = static_cast<std::uint32_t>(k);
+        complex_.vertices[one.vertex].position = one.target;
+    }
+    void move(std::uint32_t v, Point LateVertex::*to) {
+        // An entry is valid if the list confirms it.
+        if (v < entries_.size() && entries_[v] < late_.size() && late_[entries_[v]].vertex == v) {
+            complex_.vertices[v].position = late_[entries_[v]].*to;
+        }
+    }
+
     Complex& complex_;
-    const std::vector<LateVertex>& late_;
+    std::vector<LateVertex>& late_;
+    std::vector<std::uint32_t>& entries_; ///< by vertex
 };
 
-// Where the flow has carried the middle of an edge: between late vertices this is not where the
-// middle is now.
-Point middle_of(PassState& state, const WantingEdge& edge) {
-    const AtTargets at_targets(state.complex, state.late);
-    return state.options.insertion(state.complex, state.work, edge.a, edge.b);
-}
-
 void split_long(PassState& state) {
+    if (state.too_long.empty()) {
+        return;
+    }
     Complex& complex = state.complex;
+    Ring& ring = state.work.ring;
     state.drop_stale_late();
+    AtTargets late(state);
     for (const WantingEdge& edge : state.too_long) {
         const EdgeAt at = find_edge(complex, edge.a, edge.b, state.work.star);
-        if (!is_on_interface(complex, at, state.work.ring)) {
+        if (!is_on_interface(complex, at, ring)) {
             continue;
         }
-        Point place = middle_of(state, edge);
+        Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
+        (void)gather(complex, at, ring); // the insertion may use it
+        late.move(at, ring, &LateVertex::place);
         const Vertex v =
             edge_split(complex, state.work, at, midpoint(complex.at(edge.a), complex.at(edge.b)));
+        bool arrives = true;
         if (v.is_valid()) {
             keep_on_sides(place, complex.position(v), complex.vertices[v.id].flags);
-            if (!nudge(complex, state.work, v, place, insertion_quality)) {
-                state.late.push_back({v.id, complex.position(v), place});
-            }
+            arrives = nudge(complex, state.work, v, place, insertion_quality);
+        }
+        late.move(at, ring, &LateVertex::target);
+        if (!arrives) {
+            late.add({v.id, complex.position(v), place});
         }
     }
 }
