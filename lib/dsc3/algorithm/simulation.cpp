@@ -138,14 +138,20 @@ void Simulation::find_origins() {
     auto& late = state_.late;
     std::sort(late.begin(), late.end(),
               [](const LateVertex& x, const LateVertex& y) { return x.vertex < y.vertex; });
-    origins_.clear();
-    auto next = late.begin();
-    for (const std::uint32_t v : state_.interface) {
-        while (next != late.end() && next->vertex < v) {
-            ++next;
+    origins_.resize(state_.interface.size());
+    constexpr std::size_t grain = 1024;
+    team_.chunks(origins_.size(), grain,
+                 [&](std::uint32_t, std::size_t begin, std::size_t end, std::uint32_t) {
+                     for (std::size_t i = begin; i < end; ++i) {
+                         origins_[i] = complex_.at(state_.interface[i]);
+                     }
+                 });
+    auto next = state_.interface.begin();
+    for (const LateVertex& one : late) {
+        next = std::lower_bound(next, state_.interface.end(), one.vertex);
+        if (next != state_.interface.end() && *next == one.vertex) {
+            origins_[static_cast<std::size_t>(next - state_.interface.begin())] = one.target;
         }
-        const bool is_late = next != late.end() && next->vertex == v;
-        origins_.push_back(is_late ? next->target : complex_.at(v));
     }
     fixed_.clear();
     if (state_.ends_on_sides) {
@@ -160,6 +166,7 @@ void Simulation::find_origins() {
 template <class Work>
 void Simulation::in_shares(std::size_t n, Work work) {
     largest_.fill(0);
+    farthest_.fill(0);
     if (!in_chunks_) {
         work(0, 0, n);
         return;
@@ -207,14 +214,16 @@ Real Simulation::find_targets(const Velocity& velocity, Real time, Real remainin
             largest_[share] = integrate(
                 options_.integrator, velocity, origins.subspan(begin, end - begin), time, part,
                 targets.subspan(begin, end - begin), scratch_[share], fixed_of(begin, end));
+            Real farthest = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (const Real way = (targets[i] - origins[i]).norm(); std::isfinite(way)) {
+                    farthest = std::max(farthest, way);
+                }
+            }
+            farthest_[share] = farthest;
         });
         const Real error = *std::max_element(largest_.begin(), largest_.end());
-        Real farthest = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (const Real way = (targets_[i] - origins_[i]).norm(); std::isfinite(way)) {
-                farthest = std::max(farthest, way);
-            }
-        }
+        const Real farthest = *std::max_element(farthest_.begin(), farthest_.end());
         const bool is_exact = options_.integrator != Integrator::adaptive ||
                               error <= options_.tolerance * options_.edge_length;
         if (farthest <= sub_step_slack * limit && is_exact) {

@@ -112,6 +112,7 @@ private:
     std::vector<std::uint8_t> held_;
     std::array<IntegratorScratch, Team::max_chunks> scratch_; ///< by share
     std::array<Real, Team::max_chunks> largest_{};            ///< velocity or error, by share
+    std::array<Real, Team::max_chunks> farthest_{};           ///< displacement, by share
 };
 
 } // namespace dsc3

@@ -310,11 +310,14 @@ private:
     void end() {
         for_each(state_.moving_vertices.size(),
                  [&](std::size_t k, std::uint32_t) { moves_[state_.moving_vertices[k]] = 0; });
-        for (std::size_t k = 0; k < state_.near.size(); ++k) {
-            if (state_.near_quality[k] < state_.options.quality) {
-                state_.unfit.push_back(state_.near[k]);
-            }
-        }
+        clear(state_.lists);
+        const std::uint32_t chunks =
+            for_each(state_.near.size(), [&](std::size_t k, std::uint32_t chunk) {
+                if (state_.near_quality[k] < state_.options.quality) {
+                    state_.lists[chunk].push_back(state_.near[k]);
+                }
+            });
+        append_chunks(state_.unfit, state_.lists, chunks);
         std::erase_if(state_.pending, [&](std::uint32_t v) { return moving_[v].fraction == 1; });
     }
 

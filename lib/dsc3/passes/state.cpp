@@ -2,6 +2,7 @@
 #include "dsc3/passes/state.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dsc3 {
 
@@ -46,11 +47,18 @@ void PassState::update_ends() {
 
 void PassState::update_interface() {
     auto& added = work.rewiring.interface;
-    interface.insert(interface.end(), added.begin(), added.end());
-    added.clear();
-    std::erase_if(interface, [&](std::uint32_t v) { return !complex.is_interface(Vertex{v}); });
-    std::sort(interface.begin(), interface.end());
-    interface.erase(std::unique(interface.begin(), interface.end()), interface.end());
+    const auto has_left = [&](std::uint32_t v) { return !complex.is_interface(Vertex{v}); };
+    std::erase_if(interface, has_left);
+    std::erase_if(added, has_left);
+    if (!added.empty()) {
+        std::sort(added.begin(), added.end());
+        added.erase(std::unique(added.begin(), added.end()), added.end());
+        merged.clear();
+        std::set_union(interface.begin(), interface.end(), added.begin(), added.end(),
+                       std::back_inserter(merged));
+        interface.swap(merged);
+        added.clear();
+    }
     update_ends();
 }
 

@@ -61,6 +61,7 @@ struct PassState {
     std::vector<std::uint32_t> unimproved = {}; ///< worst tets that mesh repair left bad
     std::uint64_t unjammed = 0;                 ///< interface collapses of blocked vertices
 
+    std::vector<std::uint32_t> merged = {}; ///< scratch of `update_interface`
     // Scratch of interface remeshing.
     std::vector<WantingEdge> too_short = {};
     std::vector<WantingEdge> too_long = {};
