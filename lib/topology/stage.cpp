@@ -8,7 +8,6 @@
 #include "topology/contact_check.h"
 
 #include <algorithm>
-#include <array>
 
 namespace dsc {
 
@@ -97,12 +96,10 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
                                 return (what(v) & (noted_facing | noted_sharp)) != 0;
                             });
     candidates_.resize(is_notable ? between.interface.size() : 0);
-    std::array<bool, ranges_of_places> has_blocked{};
-    const auto look = [&](std::size_t range, std::size_t begin, std::size_t end) {
+    const auto look = [&](std::size_t /*range*/, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::uint32_t v = between.interface[i];
             const std::uint32_t bits = what(v);
-            has_blocked[range] = has_blocked[range] || is_blocked(v);
             // A blocked vertex may by now lie opposite another sheet; treat it as facing.
             candidates_[i] = {.vertex = bits != 0 ? v : no_id,
                               .is_thin = (bits & noted_thin) != 0,
@@ -122,7 +119,6 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
                                     .interface = between.interface,
                                     .round = round,
                                     .is_again = is_again,
-                                    .has_blocked = std::ranges::count(has_blocked, true) > 0,
                                     .in_shares = between.in_shares,
                                     .sights = sights_},
                                    candidates_);

@@ -22,6 +22,9 @@ constexpr double landing_height = 0.15;
 /// It lands on a boundary vertex that is nearer than this fraction of the boundary edge, or of the
 /// edge length if that is less.
 constexpr double landing_share = 0.25;
+/// It lands, blocked or not, if it is nearer than this to the end of its curve, in edge lengths.
+/// The direction of a shorter edge is little more than rounding, and so is the end's velocity.
+constexpr double end_of_way = 0.01;
 /// Vertices up to this far from the end of the curve, along it, in edge lengths, land first.
 constexpr double landing_reach = 1.5;
 
@@ -34,7 +37,7 @@ public:
     void run() {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         const auto take = [&](std::uint32_t v) {
-            if (is_blocked(work_, v) || is_before_held_end(v)) {
+            if (is_to_land(v)) {
                 found.emplace_back(at(v).x(), at(v).y(), v);
             }
         };
@@ -52,7 +55,7 @@ public:
         std::ranges::sort(found);
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
-            while (v != no_id && (is_blocked(work_, v) || is_before_held_end(v))) {
+            while (v != no_id && is_to_land(v)) {
                 land_those_before(v);
                 v = land(v);
             }
@@ -61,6 +64,21 @@ public:
 
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    [[nodiscard]] bool is_to_land(std::uint32_t v) const {
+        return is_blocked(work_, v) || is_before_held_end(v) || has_come_to_end(v);
+    }
+
+    // Whether the vertex has all but reached the end of its curve on the domain boundary.
+    [[nodiscard]] bool has_come_to_end(std::uint32_t v) const {
+        const Real near = static_cast<Real>(end_of_way) * work_.edge_length;
+        return complex_.is_alive(Vertex{v}) && !complex_.is_locked(Vertex{v}) &&
+               find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   return is_sheet(complex_, prev(c)) &&
+                          direction(complex_, prev(c)).squaredNorm() < near * near &&
+                          is_on_boundary(complex_.vertex(next(c)));
+               }) != no_id;
+    }
 
     // If the end of a curve is blocked, the next vertices of its own curves are in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
@@ -353,9 +371,7 @@ private:
 
 template <class Real>
 void land_vertices(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
-    if (work.has_blocked) {
-        Landing<Real>(work, candidates).run();
-    }
+    Landing<Real>(work, candidates).run();
 }
 
 template void land_vertices(TopologyWork<double>&, std::span<const Candidate>);

@@ -13,9 +13,9 @@
 
 namespace dsc {
 
-/// Lands the candidates that are blocked close to the end of their curve, in an order that depends
-/// only on positions; vertices between them and the end land first. A slit whose mouth blocks a
-/// vertex is filled. O(candidates); O(1) where nothing is blocked.
+/// Lands the candidates that are blocked close to the end of their curve, or have all but reached
+/// its end on the domain boundary, in an order that depends only on positions; vertices between
+/// them and the end land first. A slit whose mouth blocks a vertex is filled. O(candidates).
 template <class Real>
 void land_vertices(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
