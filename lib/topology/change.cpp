@@ -35,13 +35,16 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<Candidate> candid
     if (has_wide) {
         open_wide_films<Real>(work, candidates);
     }
+    // What wide films leave slender is mended by the next sub-steps, as their vertices go on
+    // moving.
+    const std::size_t first_mended = work.touched.size();
     open_boundary_films<Real>(work, has_wide ? candidates : notable);
     meet_fronts(work);
     open_films<Real>(work, candidates, notable);
     land_vertices<Real>(work, has_wide ? candidates : notable);
     change_junctions<Real>(work, notable);
     remove_remnants<Real>(work, notable);
-    split_touched(work);
+    split_touched(work, first_mended);
     return give_back(work);
 }
 

@@ -4,6 +4,7 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_flip.h"
+#include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>

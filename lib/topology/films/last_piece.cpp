@@ -6,6 +6,7 @@
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 
 #include <Eigen/Dense>
@@ -183,7 +184,8 @@ private:
             }
             is_inner = is_on_boundary;
         }
-        std::erase_if(inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}); });
+        std::erase_if(
+            inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}, Real(0)); });
         if (!inner.empty()) {
             return inner.front();
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/junctions/junction_split.h"
 
+#include "topology/junctions/merging.h"
 #include "topology/junctions/opening.h"
 
 #include <algorithm>
@@ -143,7 +144,29 @@ private:
         return key(sectors_[k]) < key(sectors_[other]);
     }
 
+    // Removes vertices inside sector k that would keep the two junctions close together.
+    void make_room(std::size_t k) {
+        constexpr double poor_squared = 0.02; // squared quality that a removal may leave
+        std::vector<Vertex> close;
+        Corner c = sectors_[k].first;
+        for (std::size_t i = 1; i < sectors_[k].count; ++i) {
+            const Vertex w{complex_.vertex(prev(c))};
+            if (distance<Real>(complex_.position(v_), complex_.position(w)) < 2 * length_) {
+                close.push_back(w);
+            }
+            c = corner_ccw(complex_, c);
+        }
+        bool has_edited = false;
+        for (const Vertex w : close) {
+            has_edited = remove_inside(work_, w, static_cast<Real>(poor_squared)) || has_edited;
+        }
+        if (has_edited) {
+            find_again();
+        }
+    }
+
     bool leave(std::size_t k) {
+        make_room(k);
         const Point<Real> place = complex_.position(v_);
         Event event{.kind = EventKind::t1,
                     .time = work_.time,

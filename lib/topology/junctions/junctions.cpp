@@ -4,6 +4,7 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
 #include "topology/junctions/junction_split.h"
+#include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
@@ -19,12 +20,15 @@ constexpr double t1_length = 0.15;
 /// Bounds the rounds if splits never end; two or three rounds are normally enough.
 constexpr int max_rounds = 8;
 
-// Sorts vertices by position, which does not depend on the division of the mesh, and removes
-// duplicates.
+// Sorts the vertices that are alive by position, which does not depend on the division of the mesh,
+// and removes duplicates.
 template <class Real>
 std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Vertex> vertices) {
     std::vector<std::tuple<Real, Real, std::uint32_t>> found;
     for (const Vertex v : vertices) {
+        if (!complex.is_alive(v)) {
+            continue;
+        }
         found.emplace_back(complex.position(v).x(), complex.position(v).y(), v.id);
     }
     std::ranges::sort(found);
@@ -251,23 +255,36 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
 
 // A split changes other vertices, which may then have to be split as well.
 template <class Real>
-void split_touched(TopologyWork<Real>& work) {
+void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
+    std::vector<Vertex> mended(work.touched.begin() + static_cast<std::ptrdiff_t>(first_mended),
+                               work.touched.end());
     for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {
-        std::vector<Vertex> touched;
-        for (const Vertex v : std::exchange(work.touched, {})) {
-            if (work.complex.is_alive(v)) {
-                touched.push_back(v);
-            }
-        }
-        for (const Vertex v : in_order<Real>(work.complex, touched)) {
+        for (const Vertex v : in_order<Real>(work.complex, std::exchange(work.touched, {}))) {
             split_junction(work, v);
         }
+        mended.insert(mended.end(), work.touched.begin(), work.touched.end());
+    }
+    const std::size_t touched = mended.size();
+    for (std::size_t i = 0; i < touched; ++i) {
+        if (work.complex.is_alive(mended[i])) {
+            for_each_corner(work.complex, mended[i], [&](Corner c) {
+                mended.push_back(Vertex{work.complex.vertex(next(c))});
+                mended.push_back(Vertex{work.complex.vertex(prev(c))});
+            });
+        }
+    }
+    mended = in_order<Real>(work.complex, mended);
+    for (const Vertex v : mended) { // some may have been removed from other stars by then
+        collapse_short_sheets(work, v);
+    }
+    for (const Vertex v : mended) {
+        mend_star(work, v);
     }
 }
 
 template void change_junctions(TopologyWork<double>&, std::span<const Candidate>);
 template void change_junctions(TopologyWork<float>&, std::span<const Candidate>);
-template void split_touched(TopologyWork<double>&);
-template void split_touched(TopologyWork<float>&);
+template void split_touched(TopologyWork<double>&, std::size_t);
+template void split_touched(TopologyWork<float>&, std::size_t);
 
 } // namespace dsc

@@ -14,6 +14,7 @@
 #include "topology/candidates.h"
 #include "topology/region.h"
 
+#include <cstddef>
 #include <span>
 
 namespace dsc {
@@ -24,8 +25,10 @@ template <class Real>
 void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candidates);
 
 /// Splits vertices of relabelled triangles that have more sectors than are stable: films that
-/// opened and pieces that vanished may leave such vertices. O(their degrees squared).
+/// opened and pieces that vanished may leave such vertices. What the changes have left slender
+/// around the touched vertices from `first_mended` on, and around those of splits, is then mended,
+/// because the step may end here. O(their degrees squared).
 template <class Real>
-void split_touched(TopologyWork<Real>& work);
+void split_touched(TopologyWork<Real>& work, std::size_t first_mended);
 
 } // namespace dsc

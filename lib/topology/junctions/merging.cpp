@@ -5,7 +5,6 @@
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
-#include "dsc/operations/edge_flip.h"
 #include "dsc/quality/measures.h"
 
 #include <cmath>
@@ -18,6 +17,20 @@ namespace {
 constexpr double poor_squared = 0.0025;
 /// The largest number of vertices removed to make room.
 constexpr int max_removed = 6;
+
+// The squared quality of a triangle after the vertex at this corner is replaced by another; 1 if
+// that is a vertex of the triangle already.
+template <class Real>
+Real quality_with(const Complex<Real>& complex, Corner c, Vertex other) {
+    const std::uint32_t a = complex.vertex(next(c));
+    const std::uint32_t b = complex.vertex(prev(c));
+    if (a == other.id || b == other.id) {
+        return 1;
+    }
+    const auto at = [&](std::uint32_t id) { return complex.position(Vertex{id}); };
+    const Real its = quality<Real>(at(other.id), at(a), at(b));
+    return its > 0 ? its * its : its;
+}
 
 template <class Real>
 class Merging {
@@ -68,22 +81,10 @@ private:
             return 0;
         }
         Real worst = 1;
-        for_each_corner(complex_, gone,
-                        [&](Corner c) { worst = std::min(worst, quality_with(c, kept)); });
+        for_each_corner(complex_, gone, [&](Corner c) {
+            worst = std::min(worst, quality_with(complex_, c, kept));
+        });
         return worst;
-    }
-
-    // The squared quality of a triangle after the vertex at this corner is replaced by another; 1
-    // if that is a vertex of the triangle already.
-    Real quality_with(Corner c, Vertex other) const {
-        const std::uint32_t a = complex_.vertex(next(c));
-        const std::uint32_t b = complex_.vertex(prev(c));
-        if (a == other.id || b == other.id) {
-            return 1;
-        }
-        const auto at = [&](std::uint32_t id) { return complex_.position(Vertex{id}); };
-        const Real its = quality<Real>(at(other.id), at(a), at(b));
-        return its > 0 ? its * its : its;
     }
 
     // Removes a vertex inside a phase from the link: an end of the edge opposite to the worst
@@ -100,7 +101,7 @@ private:
             Real worst = static_cast<Real>(poor_squared);
             Corner at_worst = no_id;
             for_each_corner(complex_, gone, [&](Corner c) {
-                if (const Real its = quality_with(c, kept); its < worst) {
+                if (const Real its = quality_with(complex_, c, kept); its < worst) {
                     worst = its;
                     at_worst = c;
                 }
@@ -181,7 +182,7 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
 }
 
 template <class Real>
-bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_quality) {
     Complex<Real>& complex = work.complex;
     const Corner first =
         find_corner(complex, vertex, [&](Corner c) { return is_border(complex.twin(prev(c))); });
@@ -195,73 +196,20 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex) {
         return false;
     }
     const Submesh<Real> submesh(complex);
-    const auto collapses = [&](Corner c, rewire::Vanishing vanishing) {
-        return edge_collapse(submesh, c, vanishing, BoundaryRule::smooth) == Verdict::legal;
+    const auto collapses = [&](Corner edge, rewire::Vanishing vanishing, std::uint32_t kept) {
+        const auto is_poor = [&](Corner c) {
+            const Real after = quality_with(complex, c, Vertex{kept});
+            return !(after > min_quality);
+        };
+        return find_corner(complex, vertex, is_poor) == no_id &&
+               edge_collapse(submesh, edge, vanishing, BoundaryRule::smooth) == Verdict::legal;
     };
-    return collapses(prev(first), rewire::Vanishing::next) ||
-           collapses(next(last), rewire::Vanishing::prev);
+    return collapses(prev(first), rewire::Vanishing::next, complex.vertex(next(first))) ||
+           collapses(next(last), rewire::Vanishing::prev, complex.vertex(prev(last)));
 }
 
-template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v) {
-    constexpr double slender_star = 0.2; // height over longest edge
-    constexpr double poor_star = 0.02;   // squared quality that a removal may leave of a better one
-    constexpr int rounds_of_mending = 7;
-    Complex<Real>& complex = work.complex;
-    Submesh<Real> submesh(complex);
-    const auto at = [&](Corner c) { return complex.position(Vertex{complex.vertex(c)}); };
-    const auto height = [&](Corner c) {
-        return height_over_longest<Real>(at(c), at(next(c)), at(prev(c)));
-    };
-    const auto flip_best = [&](Corner worst) {
-        Corner best = no_id;
-        Real best_height = height(worst);
-        for (const Corner c : {worst, next(worst), prev(worst)}) {
-            const Corner o = complex.twin(c);
-            if (is_border(o) || is_sheet(complex, c)) {
-                continue;
-            }
-            const Real after = std::min(height_over_longest<Real>(at(c), at(next(c)), at(o)),
-                                        height_over_longest<Real>(at(o), at(prev(c)), at(c)));
-            if (after > best_height) {
-                best_height = after;
-                best = c;
-            }
-        }
-        return best != no_id && edge_flip(submesh, best) == Verdict::legal;
-    };
-    // Removes a vertex within a phase, also on the domain boundary.
-    const auto remove = [&](std::uint32_t w) {
-        auto now = static_cast<Real>(poor_star);
-        for_each_corner(complex, Vertex{w}, [&](Corner c) {
-            const Real its = quality<Real>(at(c), at(next(c)), at(prev(c)));
-            now = std::min(now, its > 0 ? its * its : Real(0));
-        });
-        if (remove_inside(work, Vertex{w}, now)) {
-            return true;
-        }
-        return remove_on_boundary(work, Vertex{w});
-    };
-    for (int round = 0; round < rounds_of_mending && complex.is_alive(v); ++round) {
-        Corner worst = no_id;
-        auto min_height = static_cast<Real>(slender_star);
-        for_each_corner(complex, v, [&](Corner c) {
-            if (const Real one = height(c); one < min_height) {
-                min_height = one;
-                worst = c;
-            }
-        });
-        if (worst == no_id || (!flip_best(worst) && !remove(complex.vertex(next(worst))) &&
-                               !remove(complex.vertex(prev(worst))) && !remove(v.id))) {
-            return;
-        }
-    }
-}
-
-template bool remove_on_boundary(TopologyWork<double>&, Vertex);
-template bool remove_on_boundary(TopologyWork<float>&, Vertex);
-template void mend_star(TopologyWork<double>&, Vertex);
-template void mend_star(TopologyWork<float>&, Vertex);
+template bool remove_on_boundary(TopologyWork<double>&, Vertex, double);
+template bool remove_on_boundary(TopologyWork<float>&, Vertex, float);
 template void note_sweep(TopologyWork<double>&, Vertex, Vertex, const Point<double>&);
 template void note_sweep(TopologyWork<float>&, Vertex, Vertex, const Point<float>&);
 template Vertex merge_ends(TopologyWork<double>&, Vertex, Vertex, bool);

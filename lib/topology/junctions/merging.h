@@ -28,9 +28,10 @@ template <class Real>
 bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 
 /// Collapses a vertex of the domain boundary, with one phase around it, along the boundary. Returns
-/// false if that is illegal. O(degree).
+/// false if that is illegal, or would leave a triangle whose squared quality is not above
+/// `min_quality`. O(degree).
 template <class Real>
-bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex);
+bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 
 /// Height of a triangle over its longest edge; 0 if it is not positive.
 template <class Real>
@@ -43,10 +44,5 @@ template <class Real>
                      std::max({(to_b - to_a).squaredNorm(), to_a.squaredNorm(), to_b.squaredNorm()})
                : Real(0);
 }
-
-/// Mends what an edit has left slender in the star of a vertex, before anything moves: flips edges
-/// and removes vertices inside phases, as long as that is better. O(degrees).
-template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v);
 
 } // namespace dsc
