@@ -49,6 +49,7 @@ TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
         const Result result = run(one);
         EXPECT_TRUE(result.is_full && result.is_valid) << one.number << ", " << one.h;
         EXPECT_LT(result.last.wrong_area, wrong_area) << one.number << ", " << one.h;
+        EXPECT_GT(result.min_angle_last, 10) << one.number << ", " << one.h;
     };
     expect_less({.number = 2, .h = 0.02}, 1e-3);
     expect_less({.number = 2, .h = 0.01}, 3e-4);
@@ -64,6 +65,7 @@ TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         sum += result.last.wrong_area;
         unreached += result.unreached;
+        EXPECT_GT(result.min_angle_last, 1.5) << seed;
     }
     EXPECT_LT(sum / 6, 2.8e-3);
     EXPECT_LE(unreached, 2U);
