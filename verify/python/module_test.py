@@ -248,6 +248,13 @@ class Drawn(unittest.TestCase):
         self.assertRegex(repr(mesh), r"vertices, \d+ phases 0, 1, 2, 3, 4, 5, …, \d+>$")
         self.assertRegex(disc_mesh()._repr_svg_(), r"(?s)^<\?xml.*<svg .*</svg>\s*$")
 
+    def test_a_report_is_shown_in_a_line(self):
+        report = dsc.Report(unreached=2, held=1, sub_steps=3, interface_vertices=40, reached=0.25, gave_up="",
+                            events=[None, None], reason="")
+        self.assertEqual(repr(report), "<dsc.Report: time 0.25, 40 interface vertices, 2 unreached, 2 events>")
+        stopped = report._replace(events=[], gave_up="too_many_passes")
+        self.assertEqual(str(stopped), "<dsc.Report: time 0.25, 40 interface vertices, 2 unreached, too_many_passes>")
+
     def test_a_series_names_each_mesh_with_its_time(self):
         with tempfile.TemporaryDirectory() as folder:
             series = dsc.Series(pathlib.Path(folder) / "one & two.pvd")

@@ -255,7 +255,10 @@ class Drawn(unittest.TestCase):
     def test_its_name_is_short(self):
         mesh = ball_mesh()
         self.assertRegex(repr(mesh), r"^<dsc.Mesh3: \d+ tets, \d+ vertices, phases 0, 1>$")
-        self.assertRegex(repr(dsc.Simulation(mesh, edge_length=H)), r"^<dsc.Simulation: \d+ interface vertices, time 0>$")
+        sim = dsc.Simulation(mesh, edge_length=H)
+        self.assertRegex(repr(sim), r"^<dsc.Simulation: \d+ interface vertices, time 0>$")
+        reports = dsc.run(sim, lambda x, t: 0 * x + (0.1, 0, 0), 0.01, 2)
+        self.assertRegex(repr(reports), r"^\[(<dsc.Report3: time 0.0\d, \d+ interface vertices, 0 unreached>(, )?){2}\]$")
 
 
 if __name__ == "__main__":

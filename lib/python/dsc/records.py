@@ -77,6 +77,13 @@ class Event(namedtuple("Event", "kind time place lost taken area")):
     __slots__ = ()
 
 
+def _shown(report, *more):
+    """A line on a report for its `repr`: lists of reports stay readable."""
+    parts = [f"time {report.reached:.6g}", f"{report.interface_vertices} interface vertices",
+             f"{report.unreached} unreached", *more, *([report.gave_up] if report.gave_up else [])]
+    return f"<dsc.{type(report).__name__}: {', '.join(parts)}>"
+
+
 class Report(namedtuple("Report", "unreached held sub_steps interface_vertices reached gave_up events reason")):
     """The report of a step.
 
@@ -102,6 +109,9 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
     """
 
     __slots__ = ()
+
+    def __repr__(self):
+        return _shown(self, *([f"{len(self.events)} events"] if self.events else []))
 
 
 class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices reached gave_up reason passes "
@@ -129,6 +139,9 @@ class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices
     """
 
     __slots__ = ()
+
+    def __repr__(self):
+        return _shown(self)
 
 
 class Faces(namedtuple("Faces", "triangles inside outside")):
