@@ -10,8 +10,8 @@ build_packages=(cmake g++ ninja-build git libeigen3-dev libboost-dev zlib1g-dev 
     nlohmann-json3-dev libtomlplusplus-dev libcli11-dev googletest libgtest-dev libbenchmark-dev
     python3-yaml pybind11-dev python3-dev python3-numpy python3-venv)
 plot_packages=(python3 python3-matplotlib python3-meshio)
-# For the reference pages, which `verify/run.sh` tests unless it is quick.
-guide_packages=(doxygen)
+# For the reference pages and the types of the Python package, which `verify/run.sh` tests unless it is quick.
+guide_packages=(doxygen mypy)
 # For the tests that only `verify/run.sh --all` needs: a browser for the page of the report, programs
 # that read frames, and the workflow engine of bench/Snakefile.
 browser_packages=(chromium chromium-driver python3-selenium)

@@ -13,17 +13,18 @@ from .data import Data as Data
 
 __version__: str
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Flags = NDArray[np.bool_]
-Velocity = Callable[[Floats, float], ArrayLike]
+# Names that begin with an underscore are only here: a program cannot import them.
+_Floats = NDArray[np.float64]
+_Integers = NDArray[np.int64]
+_Flags = NDArray[np.bool_]
+_Velocity = Callable[[_Floats, float], ArrayLike]
 
 class InputError(ValueError): ...
 class FileError(OSError): ...
 class SolveError(RuntimeError): ...
 
 class Curve(NamedTuple):
-    points: Floats
+    points: _Floats
     is_closed: bool
     left: int
     right: int
@@ -74,30 +75,30 @@ class Faces(NamedTuple):
     outside: NDArray[np.uint32]
 
 class Interface:
-    positions: Floats
-    previous: Integers
-    next: Integers
-    left: Integers
-    right: Integers
-    normals: Floats
-    curvatures: Floats
-    lengths: Floats
-    arms: Integers
-    is_junction: Flags
-    is_feature: Flags
-    is_on_boundary: Flags
-    is_locked: Flags
+    positions: _Floats
+    previous: _Integers
+    next: _Integers
+    left: _Integers
+    right: _Integers
+    normals: _Floats
+    curvatures: _Floats
+    lengths: _Floats
+    arms: _Integers
+    is_junction: _Flags
+    is_feature: _Flags
+    is_on_boundary: _Flags
+    is_locked: _Flags
     def __len__(self) -> int: ...
 
-class PhaseFigures(TypedDict):
+class _PhaseFigures(TypedDict):
     area: float
     perimeter: float
     boundary: float
     components: int
     holes: int
 
-class Figures(TypedDict):
-    phases: dict[int, PhaseFigures]
+class _Figures(TypedDict):
+    phases: dict[int, _PhaseFigures]
     lengths: dict[tuple[int, int], float]
 
 class Mesh:
@@ -109,21 +110,21 @@ class Mesh:
         sides: Mapping[str, ArrayLike] | None = None,
     ) -> None: ...
     @property
-    def sides(self) -> dict[str, Floats]: ...
+    def sides(self) -> dict[str, _Floats]: ...
     @property
-    def points(self) -> Floats: ...
+    def points(self) -> _Floats: ...
     @property
     def triangles(self) -> NDArray[np.int32]: ...
     @property
     def phases(self) -> NDArray[np.uint32]: ...
     @property
-    def qualities(self) -> Floats: ...
+    def qualities(self) -> _Floats: ...
     @property
-    def min_angles(self) -> Floats: ...
+    def min_angles(self) -> _Floats: ...
     @property
     def areas(self) -> dict[int, float]: ...
     @property
-    def figures(self) -> Figures: ...
+    def figures(self) -> _Figures: ...
     @property
     def input_report(self) -> InputReport: ...
     @property
@@ -137,8 +138,8 @@ class Mesh:
     @property
     def triangle_data(self) -> Data: ...
     def interface_curves(self) -> list[Curve]: ...
-    def outlines(self, phase: int, samples: int = 1) -> list[Floats]: ...
-    def polygons(self, phase: int) -> list[list[Floats]]: ...
+    def outlines(self, phase: int, samples: int = 1) -> list[_Floats]: ...
+    def polygons(self, phase: int) -> list[list[_Floats]]: ...
     def validate(self) -> str: ...
     def copy(self) -> Mesh: ...
     def write_svg(self, path: str | PathLike[str]) -> None: ...
@@ -151,15 +152,15 @@ class Mesh:
 class Mesh3:
     def __init__(self, points: ArrayLike, tetrahedra: ArrayLike, phases: ArrayLike) -> None: ...
     @property
-    def points(self) -> Floats: ...
+    def points(self) -> _Floats: ...
     @property
     def tetrahedra(self) -> NDArray[np.int32]: ...
     @property
     def phases(self) -> NDArray[np.uint32]: ...
     @property
-    def qualities(self) -> Floats: ...
+    def qualities(self) -> _Floats: ...
     @property
-    def min_dihedrals(self) -> Floats: ...
+    def min_dihedrals(self) -> _Floats: ...
     @property
     def volumes(self) -> dict[int, float]: ...
     @property
@@ -180,9 +181,11 @@ class Mesh3:
     def to_meshio(self) -> Any: ...
 
 class Shape3:
-    def __call__(self, points: ArrayLike) -> Floats: ...
+    def __call__(self, points: ArrayLike) -> _Floats: ...
 
-Solid = Shape3 | Callable[[Floats], ArrayLike]
+_Solid = Shape3 | Callable[[_Floats], ArrayLike]
+_Solids = Mapping[int, _Solid | Sequence[_Solid]] | Sequence[tuple[_Solid, int | Mapping[int, int]]]
+_Corner3 = tuple[float, float, float]
 
 class Flow: ...
 
@@ -247,9 +250,9 @@ class Simulation(Generic[_AnyMesh]):
         submeshes: int | None = None,
     ) -> None: ...
     @overload
-    def step(self: Simulation[Mesh], flow: Velocity | Flow, time: float, dt: float) -> Report: ...
+    def step(self: Simulation[Mesh], flow: _Velocity | Flow, time: float, dt: float) -> Report: ...
     @overload
-    def step(self: Simulation[Mesh3], flow: Velocity, time: float, dt: float) -> Report3: ...
+    def step(self: Simulation[Mesh3], flow: _Velocity, time: float, dt: float) -> Report3: ...
     @property
     def mesh(self) -> _AnyMesh: ...
     @property
@@ -284,9 +287,9 @@ class Fluid:
     @property
     def time(self) -> float: ...
     @property
-    def velocities(self) -> Floats: ...
+    def velocities(self) -> _Floats: ...
     @property
-    def pressures(self) -> Floats: ...
+    def pressures(self) -> _Floats: ...
     @property
     def energies(self) -> dict[str, float]: ...
     def force_on(self, side: str) -> tuple[float, float]: ...
@@ -315,7 +318,31 @@ def from_labels(
 def from_meshio(mesh: Any, phases: str | None = None) -> Any: ...
 
 @overload
-def initial_complex(  # type: ignore[misc]  # corners of three coordinates are for the second one
+def initial_complex(  # type: ignore[misc]  # corners of three coordinates, which are arrays, too
+    domain: tuple[_Corner3, _Corner3],
+    shapes: _Solids | None = None,
+    *,
+    curves: None = None,
+    sides: None = None,
+    edge_length: float,
+    growth: float = 0.7,
+    improve_rounds: int = 4,
+    max_tets: float = 2e7,
+) -> Mesh3: ...
+@overload
+def initial_complex(  # type: ignore[misc]  # solids, which may be anything, too
+    domain: ArrayLike,
+    shapes: _Solids,
+    *,
+    curves: None = None,
+    sides: None = None,
+    edge_length: float,
+    growth: float = 0.7,
+    improve_rounds: int = 4,
+    max_tets: float = 2e7,
+) -> Mesh3: ...
+@overload
+def initial_complex(
     domain: ArrayLike,
     shapes: Mapping[int, Any] | Any | None = None,
     *,
@@ -333,36 +360,24 @@ def initial_complex(  # type: ignore[misc]  # corners of three coordinates are f
     border_tolerance: float = 1e-3,
     coverage: Literal["open", "whole", "longest_border", "first"] = "open",
 ) -> Mesh: ...
-@overload
-def initial_complex(
-    domain: ArrayLike,
-    shapes: Mapping[int, Solid | Sequence[Solid]] | Sequence[tuple[Solid, int | Mapping[int, int]]] | None = None,
-    *,
-    curves: None = None,
-    sides: None = None,
-    edge_length: float,
-    growth: float = 0.7,
-    improve_rounds: int = 4,
-    max_tets: float = 2e7,
-) -> Mesh3: ...
 def ball(centre: ArrayLike, radius: float) -> Shape3: ...
 def box(low: ArrayLike, high: ArrayLike) -> Shape3: ...
 def ellipsoid(centre: ArrayLike, radii: ArrayLike) -> Shape3: ...
 def torus(centre: ArrayLike, axis: ArrayLike, circle_radius: float, tube_radius: float) -> Shape3: ...
 def closed_surface(points: ArrayLike | str | PathLike[str], triangles: ArrayLike | None = None) -> Shape3: ...
 def interface_flow(function: Callable[[Interface, float], ArrayLike]) -> Flow: ...
-def swirl(amplitude: float = 1, period: float = 0) -> Flow: ...
+def swirl(amplitude: float = 1.0, period: float = 0.0) -> Flow: ...
 def growth(speeds: Mapping[tuple[int, int], float]) -> Flow: ...
 def curvature_flow(
-    tension: float | Mapping[tuple[int, int], float] | ArrayLike = 1,
-    mobility: float | Mapping[tuple[int, int], float] | ArrayLike = 1,
+    tension: float | Mapping[tuple[int, int], float] | ArrayLike = 1.0,
+    mobility: float | Mapping[tuple[int, int], float] | ArrayLike = 1.0,
     keep_areas_of: Mesh | Mapping[int, float] | None = None,
 ) -> Flow: ...
 def symmetric_difference(first: ArrayLike | Sequence[ArrayLike], second: ArrayLike | Sequence[ArrayLike]) -> float: ...
 def hausdorff(first: ArrayLike | Sequence[ArrayLike], second: ArrayLike | Sequence[ArrayLike]) -> float: ...
 def grains(mesh: Mesh) -> dict[str, NDArray[Any]]: ...
 def area(outlines: ArrayLike | Sequence[ArrayLike]) -> float: ...
-def circle(centre: ArrayLike, radius: float, edge_length: float) -> Floats: ...
+def circle(centre: ArrayLike, radius: float, edge_length: float) -> _Floats: ...
 def plot(
     mesh: Mesh | Mesh3,
     ax: Any = None,
@@ -374,18 +389,30 @@ def plot(
     **style: Any,
 ) -> Any: ...
 def animate(
-    sim: Simulation[Mesh], flow: Velocity | Flow, dt: float, steps: int, *, every: int = 1, ax: Any = None, **style: Any
+    sim: Simulation[Mesh], flow: _Velocity | Flow, dt: float, steps: int, *, every: int = 1, ax: Any = None, **style: Any
 ) -> Any: ...
+@overload
 def run(
-    sim: Simulation[_AnyMesh],
-    flow: Velocity | Flow,
+    sim: Simulation[Mesh],
+    flow: _Velocity | Flow,
     dt: float,
     steps: int,
     *,
     time: float | None = None,
-    after: Callable[[Simulation[_AnyMesh], Any], object] | None = None,
+    after: Callable[[Simulation[Mesh], Report], object] | None = None,
     progress: Callable[[str], object] | bool | None = None,
-) -> list[Any]: ...
+) -> list[Report]: ...
+@overload
+def run(
+    sim: Simulation[Mesh3],
+    flow: _Velocity,
+    dt: float,
+    steps: int,
+    *,
+    time: float | None = None,
+    after: Callable[[Simulation[Mesh3], Report3], object] | None = None,
+    progress: Callable[[str], object] | bool | None = None,
+) -> list[Report3]: ...
 
 class Series:
     def __init__(self, path: str | PathLike[str]) -> None: ...
