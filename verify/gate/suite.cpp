@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "scenes/file/case_reader.h"
 #include "scenes/file/text_file.h"
+#include "scenes/run/fluid_run.h"
 #include "scenes/run/run.h"
 #include "scenes/space/scene_file.h"
 
@@ -208,6 +209,21 @@ std::optional<TableReader> table_of(const TableReader& top, const std::string& k
     return top.has(key) ? std::optional(top.table(key)) : std::nullopt;
 }
 
+// The only figure that takes a mesh to know whether a run has it.
+void check_circularity(const Case& c) {
+    const auto limit = std::ranges::find_if(c.file.limits, [](const scenes::FigureLimit& one) {
+        return one.figure.starts_with("circularity");
+    });
+    if (limit != c.file.limits.end() &&
+        !scenes::has_circularity(c.file.scene.prepare(c.parameters), c.parameters)) {
+        throw InputError(
+            {.what = "the run does not measure the figure of this limit",
+             .where = limit->where,
+             .value = limit->figure + ": the measured phase reaches a side of the domain",
+             .allowed = "figures that the run measures"});
+    }
+}
+
 } // namespace
 
 Cases read_suite_text(const std::string& text, const std::filesystem::path& path,
@@ -276,6 +292,7 @@ Case case_of_scene(const std::string& scene) {
 
 Case case_of_file(const std::string& path) {
     Case c = case_of_scene(path);
+    check_circularity(c);
     for (const scenes::FigureLimit& limit : c.file.limits) {
         const auto add = [&](const std::string& suffix, double value, bool at_least) {
             c.held.push_back({(c.space ? check_in_space : check_of_figure)(

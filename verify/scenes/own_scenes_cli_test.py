@@ -200,6 +200,15 @@ class Refused(OwnScenes):
         self.expect_refusal("run", self.scene(MINE), words=["mine.toml", "has no limits",
                                                             "[limits]", "--limits"])
 
+    def test_the_circularity_of_a_phase_at_a_wall(self):
+        drop = ("[options]\nh = 0.1\ndt = 0.01\nsteps = 1\n[fluid]\ntensions = [{ one = 0, other = 1, tension = 1 }]\n"
+                "phases = [{ phase = 0, density = 1, viscosity = 1 }, { phase = 1, density = 1, viscosity = 1 }]\n"
+                "[[shape]]\ncircle = { centre = [0.5, %s], radius = 0.2 }\n[limits]\ncircularity_min = { min = 0.5 }\n")
+        self.expect_refusal("run", self.scene(drop % 0.1), words=["mine.toml:11: [limits] circularity_min",
+                                                                  "the measured phase reaches a side"])
+        done = self.call("run", self.scene(drop % 0.5), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_a_suite_without_the_scene(self):
         self.expect_refusal("run", self.scene(), "--limits", os.path.join(SUITES, "accuracy.toml"),
                             words=["mine", "propose"])

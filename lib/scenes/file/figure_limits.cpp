@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,10 @@ constexpr std::array of_fluids{"circularity_min",       "circularity_last",   "r
                                "centre_last",           "area_drift_last",    "energy_last",
                                "largest_velocity_last", "pressure_jump_last", "amplitude_error",
                                "frequency_error",       "neck_error",         "neck_last"};
+
+// Those of the measured phase alone.
+constexpr std::array of_one_phase{"circularity_min", "circularity_last", "rise_velocity_max",
+                                  "centre_last",     "area_drift_last",  "pressure_jump_last"};
 
 // The side of the domain whose force the figure is; empty if it is none.
 std::string side_of_force(const std::string& figure) {
@@ -45,10 +50,29 @@ std::vector<std::string> names_of_figures() {
     return names;
 }
 
+// Whether the shapes of a scene have one of the phases for which `is_meant` is true.
+bool has_phase(const Setup& setup, const std::function<bool(Phase)>& is_meant) {
+    if (setup.labels) {
+        return std::ranges::any_of(setup.labels->labels, is_meant);
+    }
+    const auto is_beside = [&](const dsc::Curve& c) {
+        return is_meant(c.left) || is_meant(c.right);
+    };
+    return is_meant(exterior_phase) || std::ranges::any_of(setup.phases, is_meant) ||
+           (setup.phases.empty() && !setup.outlines.empty() && is_meant(1)) ||
+           std::ranges::any_of(setup.curves, is_beside);
+}
+
 // The reason why a run does not measure a figure of a fluid; empty if it does.
 std::string why_missing_of_fluid(const std::string& figure, const Setup& setup) {
     if (!setup.fluid) {
         return "the scene has no fluid";
+    }
+    const Phase measured = setup.measured.value_or(1);
+    if (std::ranges::find(of_one_phase, figure) != of_one_phase.end() &&
+        !has_phase(setup, [&](Phase phase) { return phase == measured; })) {
+        return "no shape has the phase " + std::to_string(measured) +
+               ", which is measured unless [measure] has another one";
     }
     if (const std::string side = side_of_force(figure); !side.empty()) {
         const std::vector<FluidSide>& sides = setup.fluid->options.sides;
@@ -126,6 +150,12 @@ bool is_figure_of_fluid(const std::string& figure) {
 std::string why_missing(const std::string& figure, const Setup& setup, bool is_quick) {
     if (figure == kept_value) {
         return setup.value ? "" : "the scene has no value at its vertices";
+    }
+    if (figure == "area_ratio") {
+        const bool has = has_phase(setup, [&](Phase phase) {
+            return setup.measured ? phase == *setup.measured : phase != exterior_phase;
+        });
+        return has ? "" : "no shape has a phase that is measured";
     }
     if (is_figure_of_fluid(figure)) {
         return why_missing_of_fluid(figure, setup);

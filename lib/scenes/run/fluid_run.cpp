@@ -4,6 +4,7 @@
 #include "dsc/base/error.h"
 #include "dsc/queries/phases.h"
 #include "fluid/solve/solve_report.h"
+#include "scenes/run/start.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,8 @@ FluidMotion with_threads(FluidMotion motion, std::uint32_t threads) {
     motion.options.threads = threads;
     return motion;
 }
+
+Phase measured_phase(const Setup& setup) { return setup.measured.value_or(1); }
 
 bool is_at_boundary(const Complex<double>& complex, Phase phase) {
     const auto all = triangles(complex, phase);
@@ -172,9 +175,13 @@ void archive(Archive& archive, FluidMoment& m) {
             m.pressure_jump, m.energy, m.amplitude, m.exact_amplitude, m.neck, m.exact_neck);
 }
 
+bool has_circularity(const Setup& setup, const Parameters& parameters) {
+    return !is_at_boundary(first_complex<double>(setup, parameters), measured_phase(setup));
+}
+
 FluidRun::FluidRun(const Complex<double>& complex, const Setup& setup, std::uint32_t threads)
     : complex_(complex), motion_(with_threads(*setup.fluid, threads)),
-      phase_(setup.measured.value_or(1)), fluid_(complex, motion_.options) {
+      phase_(measured_phase(setup)), fluid_(complex, motion_.options) {
     look();
 }
 

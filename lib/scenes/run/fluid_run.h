@@ -30,6 +30,10 @@ struct FluidMoment {
     double exact_neck = 0;       ///< the same
 };
 
+/// Whether the measured phase touches no side of the domain at the start, so that it has a
+/// circularity. Takes as long as the first mesh.
+[[nodiscard]] bool has_circularity(const Setup& setup, const Parameters& parameters);
+
 /// A fluid with its figures over time and the time it took.
 class FluidRun {
 public:

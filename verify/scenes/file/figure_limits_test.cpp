@@ -49,6 +49,9 @@ TEST(FigureLimits, KnowThoseOfAFluid) {
     ASSERT_EQ(limits.size(), 3U);
     EXPECT_EQ(limits[1].figure, "force_x_wall_last");
     EXPECT_EQ(limits[1].min, 1);
+    const std::string drop = "[[shape]]\nphase = 2\ncircle = { centre = [1, 0.5], radius = 0.2 }\n"
+                             "[measure]\nphase = 2\n[limits]\ncircularity_min = 1\n";
+    EXPECT_EQ(read_figures(few_steps + channel + drop).limits.size(), 1U);
 }
 
 TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
@@ -67,6 +70,10 @@ TEST(FigureLimits, ErrorsNameFileLineKeyAndReason) {
          {"s.toml:15", "sd_last", "not known"}},
         {few_steps + channel + "[limits]\nforce_x_lid_last = 1\n",
          {"s.toml:11", "force_x_lid_last", "no side 'lid'", "only wall, out, in"}},
+        {few_steps + channel + "[limits]\ncentre_last = 1\n", {"s.toml:11", "no shape", "phase 1"}},
+        {few_steps + channel + "[measure]\nphase = 2\n[limits]\narea_drift_last = 1\n",
+         {"s.toml:13", "no shape has the phase 2"}},
+        {few_steps + channel + "[limits]\narea_ratio = 1\n", {"s.toml:11", "no shape"}},
         {few_steps + channel + "[limits]\namplitude_error = 1\n", {"s.toml:11", "wave"}},
         {few_steps + channel + "[limits]\nneck_last = 1\n", {"s.toml:11", "neck"}},
         {few_steps + channel + "[limits]\nforce_z_wall_last = 1\n",
