@@ -1,4 +1,4 @@
-#include <dsc3/dsc3.h>
+#include <dsc/dsc3/dsc3.h>
 
 #include <cmath>
 #include <iostream>

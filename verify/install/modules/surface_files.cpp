@@ -1,5 +1,5 @@
-#include <dsc3/dsc3.h>
-#include <surface_files/surface_files.h>
+#include <dsc/dsc3/dsc3.h>
+#include <dsc/surface_files/surface_files.h>
 
 #include <iostream>
 
