@@ -282,6 +282,26 @@ TEST(Pieces, AreSharedAsTheFrontsAroundThemReachThem) {
     EXPECT_NEAR(phase_area(complex, 3), 8 + 0.25, 1e-3);
 }
 
+// A side that was smooth at the start may turn more later on: it has no corner there.
+TEST(Pieces, AreSharedOnACurvedSideButNotInACorner) {
+    const std::vector<P> points{{-1, 0}, {0, -0.18}, {1, 0}, {0, 1}, {-2, 0.5}, {2, 0.5}, {0, 2}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 3}, {1, 2, 3}, {0, 3, 4},
+                                                              {4, 3, 6}, {2, 5, 3}, {5, 6, 3}};
+    const std::vector<Phase> phases{0, 0, 1, 1, 2, 2};
+    for (const bool is_corner : {false, true}) {
+        auto complex = make_complex<double>(points, triangles, phases);
+        complex.set_boundary_feature(Vertex{1}, is_corner); // a turn of 20 degrees
+        const double larger = std::max(phase_area(complex, 1), phase_area(complex, 2));
+        TopologyOptions<double> options = changing();
+        options.min_area = 1.2; // the piece has 1.18
+        const auto events = change(complex, options);
+        ASSERT_EQ(events.size(), 1U);
+        EXPECT_EQ(events[0].kind, EventKind::fill);
+        const double now = std::max(phase_area(complex, 1), phase_area(complex, 2));
+        EXPECT_NEAR(now - larger, is_corner ? 1.18 : 0.59, 1e-3);
+    }
+}
+
 // The nearest vertex of the other front is in a notch, and is no front itself: the fronts meet
 // where the one is, on the edge of the other.
 TEST(Fronts, MeetOnTheEdgeBesideANotch) {

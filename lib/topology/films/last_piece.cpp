@@ -90,8 +90,17 @@ private:
         return !is_border(c) && complex_.phase_at(c) == film_;
     }
 
-    // Whether two edges of the domain boundary are on different sides.
+    // Whether two edges of the domain boundary are on different sides. Between edges that share a
+    // vertex, a curved side may turn as much as a corner does.
     [[nodiscard]] bool is_corner(Corner one, Corner other) const {
+        for (const auto& [c, following] : {std::pair(one, other), std::pair(other, one)}) {
+            const Vertex v{complex_.vertex(prev(c))};
+            if (v.id == complex_.vertex(next(following))) {
+                return side_at<Real>(at(complex_.vertex(next(c))), at(v.id),
+                                     at(complex_.vertex(prev(following))),
+                                     complex_.is_boundary_feature(v)) == Side::feature;
+            }
+        }
         const Point<Real> a = direction(complex_, one);
         const Point<Real> b = direction(complex_, other);
         const double cosine = std::cos(side_turn_degrees * std::numbers::pi / 180);
@@ -260,7 +269,7 @@ private:
     }
 
     // All of the way, or as much of it as leaves all triangles positive, and a vertex of the domain
-    // boundary exactly on it.
+    // boundary exactly on it; on a curved side, on the circle through its neighbours.
     void move_towards(std::uint32_t v, Point<Real> place) {
         if (complex_.is_boundary_feature(Vertex{v})) {
             return;
@@ -278,10 +287,16 @@ private:
         if (const Point<Real> way = at(beside[1]) - at(beside[0]); beside[0] != beside[1]) {
             place = at(beside[0]) + (place - at(beside[0])).dot(way) / way.squaredNorm() * way;
         }
+        const bool is_curved =
+            beside[0] != beside[1] &&
+            side_at<Real>(at(beside[0]), from, at(beside[1]), false) == Side::curved;
         for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
-            const Point<Real> to = from + share * (place - from);
+            Point<Real> to = from + share * (place - from);
+            if (is_curved) {
+                to = slid_on_side<Real>(at(beside[0]), from, at(beside[1]), to, true);
+            }
             bool is_positive =
-                beside[0] == beside[1] ||
+                beside[0] == beside[1] || is_curved ||
                 side_at<Real>(at(beside[0]), to, at(beside[1]), false) == Side::straight;
             for_each_corner(complex_, Vertex{v}, [&](Corner c) {
                 is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
