@@ -2,6 +2,7 @@
 // Fluids in domains of any shape: walls on oblique and curved sides.
 #include "fluid/domains.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace dsc::domains_test {
@@ -172,6 +173,65 @@ TEST(FluidDomains, SlipOnACurvedSideIsWithoutFriction) {
         const Point<double> p = complex.position(v);
         EXPECT_NEAR((fluid.field().velocity[v.id] - Point<double>(-p.y(), p.x())).norm(), 0, 1e-11);
     }
+}
+
+// Stokes flow in a ring whose inner side slips and is cut into uneven edges. The stream function is
+// f(r) cos(2 theta) with f = a r^2 + b / r^2 + c r^4 + d; on the inner side f and the shear stress,
+// f'' - f' / r, are zero, and on the outer one f = 0, f' = 1. The root mean square of the error,
+// and the largest on the inner side.
+std::array<double, 2> errors_beside_slip(double h) {
+    constexpr double inner = 0.4;
+    const std::array<double, 4> powers{2, -2, 4, 0};
+    Eigen::Matrix4d conditions;
+    for (Eigen::Index i = 0; const double q : powers) {
+        conditions.col(i++) << std::pow(inner, q), q * (q - 2) * std::pow(inner, q - 2), 1, q;
+    }
+    const Eigen::Vector4d factors = conditions.partialPivLu().solve(Eigen::Vector4d(0, 0, 0, 1));
+    const auto exact = [&](const Point<double>& p) {
+        const double r = p.norm();
+        double f = 0;
+        double slope_of_f = 0;
+        for (Eigen::Index i = 0; const double q : powers) {
+            f += factors[i] * std::pow(r, q);
+            slope_of_f += factors[i++] * q * std::pow(r, q - 1);
+        }
+        const double angle = 2 * std::atan2(p.y(), p.x());
+        return Point<double>((-2 * f / r * std::sin(angle) * p -
+                              slope_of_f * std::cos(angle) * Point<double>(-p.y(), p.x())) /
+                             r);
+    };
+    Points hole;
+    const int count = static_cast<int>(std::lround(2 * pi * inner / h));
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * pi * (i + 0.2 * std::sin(37 * i)) / count;
+        hole.emplace_back(inner * std::cos(angle), inner * std::sin(angle));
+    }
+    const Complex<double> complex =
+        mesh_of({circle(1, static_cast<int>(std::lround(2 * pi / h))), {hole}}, 1.3 * h);
+    FluidOptions options = one_fluid();
+    options.equations = FluidEquations::stokes;
+    options.wall_velocity = [&](const Point<double>& p, double) { return exact(p); };
+    options.wall_at = [](const Point<double>& p) {
+        return p.norm() < 0.75 ? Wall::slip : Wall::no_slip;
+    };
+    const Fluid fluid(complex, options);
+    double sum = 0;
+    double on_inner = 0;
+    for (const Vertex v : vertices(complex)) {
+        const Point<double> p = complex.position(v);
+        const double error = (fluid.field().velocity[v.id] - exact(p)).norm();
+        sum += error * error / static_cast<double>(complex.vertex_count());
+        on_inner = p.norm() < inner + 1e-9 ? std::max(on_inner, error) : on_inner;
+    }
+    return {std::sqrt(sum), on_inner};
+}
+
+TEST(FluidDomains, SlipOnUnevenEdgesOfACurvedSideIsOfSecondOrder) {
+    const auto coarse = errors_beside_slip(0.05);
+    const auto fine = errors_beside_slip(0.025);
+    EXPECT_LT(fine[0], 3e-5);
+    EXPECT_LT(fine[1], 3e-4);
+    EXPECT_GT(std::log2(coarse[0] / fine[0]), 1.8);
 }
 
 // A front rotates with the fluid in half a ring whose curved sides slip. At the inner side the

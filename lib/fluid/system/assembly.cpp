@@ -198,11 +198,12 @@ void add_walls(FluidSystem& system, const MeshSnapshot& mesh, const FluidWalls& 
                 if (wall.first.y() != 0) {
                     turn(element, i, wall.first);
                 }
+                const Point<double> velocity(wall.velocity.dot(wall.first),
+                                             wall.velocity.dot(turned_left(wall.first)));
                 for (const Eigen::Index k : {0, 1}) {
-                    if (wall.velocity[k] != 0) {
+                    if (velocity[k] != 0) {
                         for (Eigen::Index row = 0; row < element.forces.size(); ++row) {
-                            element.forces[row] -=
-                                element.matrix(row, 2 * i + k) * wall.velocity[k];
+                            element.forces[row] -= element.matrix(row, 2 * i + k) * velocity[k];
                         }
                     }
                 }

@@ -156,22 +156,34 @@ void check_balance(const std::vector<WallEdge>& edges, const FluidWalls& walls,
     }
 }
 
-// On a curved side the middle of an edge moves with the fluid beside the wall, along the edge:
-// nothing more flows through it. The velocities of the wall are those at the middle so far.
-void correct_curved_walls(const std::vector<WallEdge>& edges, const MeshSnapshot& mesh,
-                          const FluidOptions& options, double time, const FluidField* last,
-                          FluidWalls& walls) {
-    std::vector<std::array<std::uint32_t, 2>> beside(mesh.vertex_bound, {no_id, no_id});
+// The edges of the boundary before and after each vertex.
+using EdgesBeside = std::vector<std::array<const WallEdge*, 2>>;
+
+EdgesBeside edges_beside(const std::vector<WallEdge>& edges, const MeshSnapshot& mesh) {
+    EdgesBeside beside(mesh.vertex_bound, {nullptr, nullptr});
     for (const WallEdge& edge : edges) {
-        beside[edge.to][0] = edge.from;
-        beside[edge.from][1] = edge.to;
+        beside[edge.to][0] = &edge;
+        beside[edge.from][1] = &edge;
     }
+    return beside;
+}
+
+WallNode& wall_node(FluidWalls& walls, std::uint32_t node) {
+    return *std::ranges::lower_bound(walls.nodes, node, {}, &WallNode::node);
+}
+
+// On a curved side without slip the middle of an edge moves with the fluid beside the wall, along
+// the edge: nothing more flows through it. The velocities of the wall are those at the middle so
+// far.
+void correct_curved_walls(const std::vector<WallEdge>& edges, const EdgesBeside& beside,
+                          const MeshSnapshot& mesh, const FluidOptions& options, double time,
+                          const FluidField* last, FluidWalls& walls) {
     for (const WallEdge& edge : edges) {
         if (edge.wall != Wall::no_slip) {
             continue;
         }
-        const Point<double> sagitta =
-            sagitta_of(mesh, beside[edge.from][0], edge.from, edge.to, beside[edge.to][1]);
+        const Point<double> sagitta = sagitta_of(mesh, beside[edge.from][0]->from, edge.from,
+                                                 edge.to, beside[edge.to][1]->to);
         if (sagitta.isZero(0)) {
             continue;
         }
@@ -180,13 +192,52 @@ void correct_curved_walls(const std::vector<WallEdge>& edges, const MeshSnapshot
             return;
         }
         const Point<double> way = mesh.nodes[edge.to] - mesh.nodes[edge.from];
-        const auto node = std::ranges::lower_bound(walls.nodes, edge.middle, {}, &WallNode::node);
+        WallNode& node = wall_node(walls, edge.middle);
         const Point<double> at_wall =
             wall_velocity(edge.side, mesh.nodes[edge.middle] + sagitta, way, options, time);
         const Point<double> change =
-            at_wall - node->velocity -
+            at_wall - node.velocity -
             change_to_wall(*last, mesh, mesh.triangles[edge.triangle], edge.middle, sagitta);
-        node->velocity += change.dot(way) / way.squaredNorm() * way;
+        node.velocity += change.dot(way) / way.squaredNorm() * way;
+    }
+}
+
+// On a curved side with slip a vertex moves along the tangent of its circle. Where its edges are
+// not equally long, that is not the direction in which as much flows in through one as out through
+// the other: what is held is the rest, by the last velocity. The flow through each half of an edge
+// then returns through its middle. Together the edges of a vertex let nothing through in either
+// case. Beside a point within a straight edge of the outline the circle is not known.
+void correct_curved_slips(const EdgesBeside& beside, const MeshSnapshot& mesh,
+                          const FluidField* last, FluidWalls& walls) {
+    const auto side_of = [&](std::uint32_t v) {
+        return side_at<double>(mesh.nodes[beside[v][0]->from], mesh.nodes[v],
+                               mesh.nodes[beside[v][1]->to],
+                               std::ranges::binary_search(mesh.features, v));
+    };
+    for (std::uint32_t v = 0; v < mesh.vertex_bound; ++v) {
+        const auto [before, after] = beside[v];
+        if (before == nullptr || before->wall != Wall::slip || after->wall != Wall::slip ||
+            side_of(v) != Side::curved || side_of(before->from) == Side::straight ||
+            side_of(after->to) == Side::straight) {
+            continue;
+        }
+        walls.has_curved = true;
+        if (last == nullptr) {
+            return;
+        }
+        const Point<double>& from = mesh.nodes[before->from];
+        const Point<double>& to = mesh.nodes[after->to];
+        const Point<double> free = (to - from).normalized();
+        const Point<double> tangent = tangent_of_side<double>(from, mesh.nodes[v], to);
+        const Spot spot = find_spot(last->mesh, mesh.nodes[v], start_at(last->mesh, v));
+        const double speed = velocity_at(*last, spot).dot(free);
+        const Point<double> moving = speed / tangent.dot(free) * tangent;
+        wall_node(walls, v).velocity = moving - speed * free;
+        for (const WallEdge* edge : {before, after}) {
+            const Point<double> normal =
+                turned_left(mesh.nodes[edge->to] - mesh.nodes[edge->from]).normalized();
+            wall_node(walls, edge->middle).velocity -= moving.dot(normal) / 4 * normal;
+        }
     }
 }
 
@@ -304,7 +355,9 @@ FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, doubl
         }
         walls.nodes.back().side = at.side;
     }
-    correct_curved_walls(edges, mesh, options, time, last, walls);
+    const EdgesBeside beside = edges_beside(edges, mesh);
+    correct_curved_walls(edges, beside, mesh, options, time, last, walls);
+    correct_curved_slips(beside, mesh, last, walls);
     for (const WallNode& held : walls.nodes) {
         if (!held.velocity.allFinite()) {
             throw InputError({.what = "the velocity of a wall is not finite",

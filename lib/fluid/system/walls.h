@@ -19,7 +19,7 @@ struct WallNode {
     std::uint32_t node = 0;
     Point<double> first{1, 0};    ///< a unit vector
     std::array<bool, 2> held{};   ///< by component
-    Point<double> velocity{0, 0}; ///< of a node of which both components are held
+    Point<double> velocity{0, 0}; ///< that of the held components, in x and y
     std::uint32_t side = no_id;   ///< its first one in `FluidOptions::sides`; no_id: in none
 };
 
@@ -27,7 +27,7 @@ struct WallNode {
 struct FluidWalls {
     std::vector<WallNode> nodes = {};
     bool has_open = false;   ///< a part of the boundary is open
-    bool has_curved = false; ///< a part without slip is curved
+    bool has_curved = false; ///< a part that is not open is curved
 };
 
 /// Throws InputError if a side with a condition is on no edge of the mesh, or two sides meet within
