@@ -32,9 +32,12 @@ using RepeatEdit = std::function<bool(const Submesh<Real>& submesh, const Edit& 
 /// Repeats the edits without testing whether they are legal: the same simplices with the same ids,
 /// so that handles in later records stay valid. A record whose simplices do not exist, or differ
 /// from what the record says, is skipped; in an unbroken log none is. Vertex attributes are blended
-/// as in the run. Readers of the journal find one `rebuild`. O(edits); O(mesh) for each `renumber`,
-/// and once at the end for the pool of free ids. Throws InputError, and does nothing, if a log has
-/// a `rebuild`, because it does not contain the other mesh, or has a record that needs `others` and
+/// as in the run. Marks of vertices (`Complex::set_locked`, `set_feature`, `set_boundary_feature`)
+/// are no edits: they stay as they are in the complex that is given, and what was marked or
+/// unmarked during the run, such as the ends of a fluid's sides in its first step, has to be marked
+/// again. Readers of the journal find one `rebuild`. O(edits); O(mesh) for each `renumber`, and
+/// once at the end for the pool of free ids. Throws InputError, and does nothing, if a log has a
+/// `rebuild`, because it does not contain the other mesh, or has a record that needs `others` and
 /// there is no such function.
 template <class Real>
 ReplayReport replay(Complex<Real>& complex, std::span<const Edit> edits,
