@@ -11,9 +11,9 @@
 
 namespace dsc::scenes {
 
-/// A disc has at least so many vertices, which turn by 30 degrees: with fewer, they would be the
-/// corners of a polygon to a flow that opens corners, such as growth.
-inline constexpr int fewest_of_disc = 12;
+/// A disc has at least this many vertices, which turn by less than 30 degrees: with fewer, growth
+/// would open them as corners of a polygon.
+inline constexpr int fewest_of_disc = 13;
 
 /// max(fewest_of_disc, ceil(2 pi radius / edge_length)) vertices on the circle, the first at angle
 /// zero.

@@ -47,7 +47,8 @@ struct TopologyWork {
     VertexAttribute<Note>& notes = notes_of(complex); ///< on each star
     /// Where the vertices were when the notes were made.
     const VertexAttribute<NotedPlace<Real>>& places = places_of(complex);
-    /// Vertices of triangles that changed their phase; some may now have too many sectors.
+    /// Vertices of triangles that changed their phase, and those that edges were contracted to;
+    /// some may now have too many sectors, or slender triangles.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {};      ///< recorded if area must be given back
     std::span<SightScratch<Real>> sights = {}; ///< one for each range of places

@@ -51,10 +51,22 @@ TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
         EXPECT_LT(result.last.wrong_area, wrong_area) << one.number << ", " << one.h;
         EXPECT_GT(result.min_angle_last, 10) << one.number << ", " << one.h;
     };
-    expect_less({.number = 2, .h = 0.02}, 1e-3);
-    expect_less({.number = 2, .h = 0.01}, 3e-4);
-    expect_less({.number = 3, .h = 0.02}, 1.7e-3);
-    expect_less({.number = 3, .h = 0.01}, 4e-4);
+    expect_less({.number = 2, .h = 0.02}, 3e-4);
+    expect_less({.number = 2, .h = 0.01}, 2e-4);
+    expect_less({.number = 3, .h = 0.02}, 7e-4);
+    expect_less({.number = 3, .h = 0.01}, 2.5e-4);
+}
+
+// Discs as small as an edge are round all the same.
+TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
+    double sum = 0;
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const Result result = run({.number = 40, .seed = seed, .h = 0.02});
+        EXPECT_TRUE(result.is_full && result.is_valid) << seed;
+        EXPECT_EQ(result.unreached, 0U) << seed;
+        sum += result.last.wrong_area;
+    }
+    EXPECT_LT(sum / 3, 5e-3);
 }
 
 TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
@@ -65,10 +77,10 @@ TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         sum += result.last.wrong_area;
         unreached += result.unreached;
-        EXPECT_GT(result.min_angle_last, 1.5) << seed;
+        EXPECT_GT(result.min_angle_last, 5) << seed;
     }
-    EXPECT_LT(sum / 6, 2.8e-3);
-    EXPECT_LE(unreached, 2U);
+    EXPECT_LT(sum / 6, 1.8e-3);
+    EXPECT_LE(unreached, 1U);
     const auto hash = [](std::uint32_t threads) {
         return run({.number = 10, .seed = 11, .h = 0.02, .threads = threads}).mesh_hash;
     };

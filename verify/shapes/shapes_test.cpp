@@ -45,7 +45,7 @@ TEST(Shapes, KeepTheirAreaCornersAndEdgeLength) {
     const Outline round = circle({0.5, 0.75}, 0.15, 0.0196);
     EXPECT_EQ(round.size(), 49U);
     expect_sound(round, 0.0196, pi * 0.15 * 0.15, 3e-4);
-    EXPECT_EQ(circle({0, 0}, 1.0, 100.0).size(), 12U);
+    EXPECT_EQ(circle({0, 0}, 1.0, 100.0).size(), 13U);
     for (const Point<double>& p : round) {
         EXPECT_NEAR(std::hypot(p.x() - 0.5, p.y() - 0.75), 0.15, 1e-16);
     }

@@ -59,9 +59,9 @@ struct CurveNeighbours {
 template <class Real>
 using InsertionFunction = std::function<Point<Real>(const CurveNeighbours<Real>&)>;
 
-/// The point at `share` (0 to 1) of the chord from p1 to p2, on the Lagrange polynomial by chord
-/// length through the known neighbours. This piecewise cubic differs from a smooth curve by
-/// O(length^4). O(1).
+/// The point at `share` (0 to 1, or a little beyond) of the chord from p1 to p2, on the Lagrange
+/// polynomial by chord length through the known neighbours. This piecewise cubic differs from a
+/// smooth curve by O(length^4). O(1).
 template <class Real>
 Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
 

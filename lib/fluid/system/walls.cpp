@@ -357,7 +357,6 @@ FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, doubl
     }
     const EdgesBeside beside = edges_beside(edges, mesh);
     correct_curved_walls(edges, beside, mesh, options, time, last, walls);
-    correct_curved_slips(beside, mesh, last, walls);
     for (const WallNode& held : walls.nodes) {
         if (!held.velocity.allFinite()) {
             throw InputError({.what = "the velocity of a wall is not finite",
@@ -369,6 +368,7 @@ FluidWalls walls_of(const MeshSnapshot& mesh, const FluidOptions& options, doubl
     if (!walls.has_open) {
         check_balance(edges, walls, mesh);
     }
+    correct_curved_slips(beside, mesh, last, walls); // nothing flows into the domain by it
     return walls;
 }
 

@@ -111,7 +111,7 @@ class Report(namedtuple("Report", "unreached held sub_steps interface_vertices r
     __slots__ = ()
 
     def __repr__(self):
-        return _shown(self, *([f"{len(self.events)} events"] if self.events else []))
+        return _shown(self, *([f"{len(self.events)} event{'s' * (len(self.events) > 1)}"] if self.events else []))
 
 
 class Report3(namedtuple("Report3", "unreached held sub_steps interface_vertices reached gave_up reason passes "

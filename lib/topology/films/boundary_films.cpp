@@ -302,6 +302,7 @@ private:
             contact = std::max(contact, contact_of(chord.sheet));
         }
         std::vector<Event> events;
+        std::vector<Phase> refused;
         std::vector<Sheet> sheets;
         for (std::span<BoundaryChord<Real>> rest = run; !rest.empty();) {
             const Phase taker = phase_beyond(complex_, rest.front().sheet);
@@ -324,6 +325,7 @@ private:
                                   .x = event.x,
                                   .y = event.y,
                                   .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+                refused.push_back(taker);
                 continue;
             }
             for (const BoundaryChord<Real>& chord : part) {
@@ -337,13 +339,43 @@ private:
         for (const Sheet& sheet : sheets) {
             region.add_ray(half_edge(sheet));
         }
-        region.fill();
+        region.fill([&](Triangle t, Phase to) { return may_take(t, to, kind, events, refused); });
         region.smooth();
         for (Event& event : events) {
             event.area = region.area_of(event.taken[0]);
             work_.events.push_back(event);
         }
         region.give_all();
+    }
+
+    // Whether a phase may take a triangle of the film that has no ray: it has an event, or gets one
+    // now, because part of the film lies between its sheets and the boundary, too.
+    bool may_take(Triangle t, Phase to, EventKind kind, std::vector<Event>& events,
+                  std::vector<Phase>& refused) const {
+        if (std::ranges::any_of(events, [&](const Event& one) { return one.taken[0] == to; })) {
+            return true;
+        }
+        if (std::ranges::find(refused, to) != refused.end()) {
+            return false;
+        }
+        const Phase film = complex_.phase(t);
+        const Point<double> place = centroid(complex_, t).template cast<double>();
+        if (rule_of(work_.options, work_.edge_length, film, to).rule == Topology::change &&
+            may_open(work_, {.film = film,
+                             .sides = {to, border_phase},
+                             .x = place.x(),
+                             .y = place.y(),
+                             .thickness = static_cast<double>(thickness(complex_, t))})) {
+            events.push_back({.kind = kind,
+                              .time = work_.time,
+                              .x = place.x(),
+                              .y = place.y(),
+                              .lost = film,
+                              .taken = {to, to}});
+            return true;
+        }
+        refused.push_back(to);
+        return false;
     }
 
     TopologyWork<Real>& work_;

@@ -101,17 +101,19 @@ void FilmRegion<Real>::add_ray(Corner sheet) {
 }
 
 template <class Real>
-void FilmRegion<Real>::fill() {
+void FilmRegion<Real>::fill(const std::function<bool(Triangle, Phase)>& may_take) {
     const Complex<Real>& complex = work_.complex;
-    // Each goes to the phase beyond its own sheet: fronts of several phases may be beside the film.
+    // Fronts of several phases may be beside the film.
     const auto take = [&](Triangle t, Phase to) {
         Real longest = 0;
         for (std::uint32_t k = 0; k < 3; ++k) {
             const Corner side = corner_of(t.id, k);
+            const Phase beyond = phase_beyond(complex, side);
             const Real length = direction(complex, side).squaredNorm();
-            if (!is_border(complex.twin(side)) && is_sheet(complex, side) && length > longest) {
+            if (beyond != film_ && beyond != border_phase && length > longest &&
+                may_take(t, beyond)) {
                 longest = length;
-                to = phase_beyond(complex, side);
+                to = beyond;
             }
         }
         offer(t, to, std::numeric_limits<Real>::infinity());

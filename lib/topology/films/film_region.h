@@ -6,6 +6,7 @@
 #include "topology/region.h"
 
 #include <array>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -27,9 +28,10 @@ public:
     /// Adds the triangles on the ray of the half-edge, each for the phase beyond the nearest sheet;
     /// the domain boundary does not count as a sheet. O(contact / length of the edges).
     void add_ray(Corner sheet);
-    /// Adds what would remain as notches, pockets, and pieces below the smallest area. O(number of
-    /// triangles), a few dozen times.
-    void fill();
+    /// Adds what would remain as notches, pockets, and pieces below the smallest area: each
+    /// triangle for the phase beyond its own sheet, if that may take it, or else for its
+    /// neighbour's. O(number of triangles), a few dozen times.
+    void fill(const std::function<bool(Triangle, Phase)>& may_take);
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();

@@ -56,7 +56,9 @@ public:
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
             while (v != no_id && is_to_land(v)) {
-                land_those_before(v);
+                if (is_blocked(work_, v) || is_before_held_end(v)) {
+                    land_those_before(v);
+                }
                 v = land(v);
             }
         }

@@ -35,9 +35,6 @@ public:
         for (const Corner c : outline_) {
             ends_.push_back(complex_.vertex(next(c)));
             if (is_border(complex_.twin(c))) {
-                if (boundary_ != no_id && is_corner(c, boundary_)) {
-                    return false;
-                }
                 boundary_ = c;
                 continue;
             }
@@ -48,7 +45,7 @@ public:
             is_one = is_one && (other == film_ || beyond == other);
             other = beyond;
         }
-        if (is_one) {
+        if (is_one || is_at_corner()) {
             return false;
         }
         const Point<Real> place = meeting_place();
@@ -90,17 +87,35 @@ private:
         return !is_border(c) && complex_.phase_at(c) == film_;
     }
 
-    // Whether two edges of the domain boundary are on different sides. Between edges that share a
-    // vertex, a curved side may turn as much as a corner does.
-    [[nodiscard]] bool is_corner(Corner one, Corner other) const {
-        for (const auto& [c, following] : {std::pair(one, other), std::pair(other, one)}) {
+    // Whether the piece reaches more than one side of the domain: a run of its boundary edges has a
+    // feature of the boundary within it, or two runs have different directions.
+    [[nodiscard]] bool is_at_corner() const {
+        Corner end_of_run = no_id;
+        for (const Corner c : outline_) {
+            if (!is_border(complex_.twin(c))) {
+                continue;
+            }
             const Vertex v{complex_.vertex(prev(c))};
-            if (v.id == complex_.vertex(next(following))) {
-                return side_at<Real>(at(complex_.vertex(next(c))), at(v.id),
-                                     at(complex_.vertex(prev(following))),
-                                     complex_.is_boundary_feature(v)) == Side::feature;
+            const auto following = std::ranges::find_if(outline_, [&](Corner other) {
+                return is_border(complex_.twin(other)) && complex_.vertex(next(other)) == v.id;
+            });
+            if (following != outline_.end()) {
+                if (side_at<Real>(at(complex_.vertex(next(c))), at(v.id),
+                                  at(complex_.vertex(prev(*following))),
+                                  complex_.is_boundary_feature(v)) == Side::feature) {
+                    return true;
+                }
+            } else if (end_of_run != no_id && differ(c, end_of_run)) {
+                return true;
+            } else {
+                end_of_run = c;
             }
         }
+        return false;
+    }
+
+    // Whether two edges of the domain boundary have different directions.
+    [[nodiscard]] bool differ(Corner one, Corner other) const {
         const Point<Real> a = direction(complex_, one);
         const Point<Real> b = direction(complex_, other);
         const double cosine = std::cos(side_turn_degrees * std::numbers::pi / 180);

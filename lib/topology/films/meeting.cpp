@@ -104,8 +104,8 @@ private:
         }
     }
 
-    // Each front goes on along its normal until both are at one place, which moves along their
-    // bisector.
+    // The place on the bisector of the two fronts that both reach at the same time, each along its
+    // normal.
     [[nodiscard]] static Point<Real> meeting_place(const Sight<Real>& sight, const Point<Real>& v,
                                                    const Point<Real>& q) {
         Real speed_v = std::max(sight.speed_v, Real(0));
@@ -164,7 +164,9 @@ private:
         if (kept == no_id && edge != no_id) {
             const SplitResult split = edge_split(submesh_, edge, foot);
             if (split.verdict == Verdict::legal) {
-                kept = meet_at(sight, split.vertex.id);
+                Sight<Real> on_edge = sight;
+                on_edge.front_q = sight.q == no_id ? sight.front_q : foot;
+                kept = meet_at(on_edge, split.vertex.id);
             }
         }
         if (kept != no_id) {

@@ -201,13 +201,11 @@ private:
         CurveNeighbours<Real> curve{.p1 = at(a), .p2 = at(b)};
         const Corner after = along_outline(complex_, c);
         const Corner before = along_outline(complex_, complex_.twin(c));
-        if (!is_border(complex_.twin(before)) &&
-            phase_beyond(complex_, before) == complex_.phase_at(c)) {
+        if (phase_beyond(complex_, before) == complex_.phase_at(c)) {
             curve.p0 = at(complex_.vertex(prev(before)));
             curve.has_first = is_one_bend(a, curve.p0, curve.p1, curve.p2);
         }
-        if (!is_border(complex_.twin(after)) &&
-            phase_beyond(complex_, after) == phase_beyond(complex_, c)) {
+        if (phase_beyond(complex_, after) == phase_beyond(complex_, c)) {
             curve.p3 = at(complex_.vertex(prev(after)));
             curve.has_last = is_one_bend(b, curve.p1, curve.p2, curve.p3);
         }

@@ -144,7 +144,7 @@ private:
         for (const Chord<Real>& chord : chords) {
             region.add_ray(chord.sheet);
         }
-        region.fill();
+        region.fill([](Triangle, Phase) { return false; });
         region.smooth();
         return region;
     }

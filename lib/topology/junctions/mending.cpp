@@ -4,6 +4,7 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/gather.h"
 #include "dsc/complex/submesh.h"
+#include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/quality/measures.h"
@@ -164,8 +165,8 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
     const std::uint32_t kept = complex.vertex(c);
     const std::uint32_t gone = complex.vertex(next(c));
     const SheetEnds ends = sheet_ends(complex, gone);
-    const bool is_at_junction = sheet_ends(complex, kept).number != 2;
-    if (!is_plain(complex, gone, ends) || (complex.is_feature(Vertex{gone}) && !is_at_junction)) {
+    const bool ends_there = sheet_ends(complex, kept).number != 2;
+    if (!is_plain(complex, gone, ends) || (complex.is_feature(Vertex{gone}) && !ends_there)) {
         return false;
     }
     const std::uint32_t moved = ends.other(kept);
@@ -183,6 +184,7 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
         at(moved) + doubled / chord.squaredNorm() * Point<Real>(chord.y(), -chord.x());
     Real before = 1;
     Real after = 1;
+    bool is_positive = true;
     for (const std::uint32_t v : {gone, moved}) {
         for_each_corner(complex, Vertex{v}, [&](Corner k) {
             std::array<Point<Real>, 3> corners;
@@ -199,10 +201,12 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
             if (!(vanishes && has_gone)) {
                 after =
                     std::min(after, height_over_longest<Real>(corners[0], corners[1], corners[2]));
+                is_positive =
+                    is_positive && orientation<Real>(corners[0], corners[1], corners[2]) > 0;
             }
         });
     }
-    if (!(after > before)) {
+    if (!(after > before) || !is_positive) {
         return false;
     }
     rewire::collapse(complex, complex.journal, prev(c), rewire::Vanishing::prev, complex.ids);

@@ -14,8 +14,8 @@ void mend_star(TopologyWork<Real>& work, Vertex v);
 
 /// Collapses into a vertex the interface vertices that sheets join to it with less than a tenth of
 /// the edge length, if that leaves better triangles: vertices on one curve, features only into
-/// junctions. The next vertex of the curve moves as far as keeps the areas of both phases; a sheet
-/// without such a vertex stays. O(degrees).
+/// junctions and ends of curves. The next vertex of the curve moves as far as keeps the areas of
+/// both phases; a sheet without such a vertex stays. O(degrees).
 template <class Real>
 void collapse_short_sheets(TopologyWork<Real>& work, Vertex v);
 
