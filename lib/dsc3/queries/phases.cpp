@@ -40,14 +40,14 @@ namespace {
 
 // An angle is computed only if it may be an extreme: arc tangents cost more than all the rest.
 // Sines decide, with this factor for rounding.
-constexpr Real slack = 1.002;
+constexpr Real slack_of_sines = 1.002;
 
 // A bound of the squared sines of angles that are below `smallest` or, where that is above a right
 // angle, beyond `largest`; so large that nothing is beyond it, as long as they are not known.
 Real square_of_sine(Real smallest, Real largest = 180) {
     constexpr Real degree = std::numbers::pi / 180;
     const Real sine = std::max(std::sin(smallest * degree), std::sin(largest * degree));
-    return smallest <= 90 && largest >= 90 ? slack * sine * sine : 2;
+    return smallest <= 90 && largest >= 90 ? slack_of_sines * sine * sine : 2;
 }
 
 class Extremes {
