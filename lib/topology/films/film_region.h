@@ -30,6 +30,9 @@ public:
     /// Adds what would remain as notches, pockets, and pieces below the smallest area. O(number of
     /// triangles), a few dozen times.
     void fill();
+    /// Adds the thin triangles that would remain as sharp notches beside the region. O(number of
+    /// triangles).
+    void fill_notches();
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();
