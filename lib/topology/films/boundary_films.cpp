@@ -26,6 +26,7 @@ constexpr double length_of_wedge = 1.5;
 constexpr double same_film = 12;
 /// A foot counts as near an end of a boundary edge up to this share of the edge.
 constexpr double near_foot = 0.25;
+
 template <class Real>
 class BoundaryFilms {
 public:
@@ -45,7 +46,9 @@ private:
 
     void index_chords() {
         std::erase_if(chords_,
-                      [](const Chord<Real>& chord) { return chord.ray.boundary == no_id; });
+                      [this](const Chord<Real>& chord) { // or another film has opened there
+                          return chord.ray.boundary == no_id || !is_sheet(complex_, chord.sheet);
+                      });
         index_.clear();
         for (std::size_t i = 0; i < chords_.size(); ++i) {
             index_.emplace(chords_[i].sheet, i);
