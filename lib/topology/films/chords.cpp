@@ -21,6 +21,25 @@ constexpr double beside_end = 1.25 * filament_end;
 /// Up to this length, two sheets belong to the end of a seam, which crosses the film.
 constexpr double end_of_seam = 3;
 
+/// A relative slack of squared lengths, larger than their rounding errors.
+constexpr double length_slack = 1e-3;
+
+// Whether the ray of the half-edge is longer than the root of `squared` when it leaves its first
+// triangle, as nearly all rays are. Without roots and divisions.
+template <class Real>
+bool leaves_late(const Complex<Real>& complex, Corner sheet, Real squared) {
+    const Point<Real> along = direction(complex, sheet);
+    const Point<Real> way(-along.y(), along.x());
+    const Point<Real> to_apex = -direction(complex, prev(sheet)) - along / Real(2);
+    const bool is_first = cross<Real>(way, to_apex) > 0;
+    const Point<Real> edge = direction(complex, is_first ? next(sheet) : prev(sheet));
+    // From the middle of the half-edge to the start of that edge.
+    const Point<Real> start = is_first ? Point<Real>(along / Real(2)) : to_apex;
+    const Real doubled = cross<Real>(start, edge);
+    const Real share = cross<Real>(way, edge);
+    return doubled * doubled * along.squaredNorm() > squared * share * share;
+}
+
 template <class Real>
 struct Way {
     bool arrives = false;
@@ -96,13 +115,15 @@ template <class Real>
 std::vector<Chord<Real>> find_chords(const TopologyWork<Real>& work) {
     const Complex<Real>& complex = work.complex;
     std::vector<Chord<Real>> chords;
+    const Real longest = largest_contact(work.options, work.edge_length);
+    const Real squared = static_cast<Real>(1 + length_slack) * longest * longest;
     const auto look = [&](std::uint32_t v, std::vector<Chord<Real>>& found) {
         if (!complex.is_alive(Vertex{v})) {
             return;
         }
         (void)find_corner(complex, Vertex{v}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
-            if (is_sheet(complex, sheet)) {
+            if (is_sheet(complex, sheet) && !leaves_late(complex, sheet, squared)) {
                 if (const Chord<Real> chord = find_chord(work, sheet); chord.exists()) {
                     found.push_back(chord);
                 }
