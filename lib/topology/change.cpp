@@ -21,10 +21,12 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
         }
     }
     std::ranges::sort(work.blocked);
-    std::vector<Chord<Real>> chords = find_chords(work);
-    open_films<Real>(work, chords);
-    open_boundary_films(work, std::move(chords));
-    meet_fronts(work);
+    Chords<Real> chords = find_chords(work);
+    open_films<Real>(work, chords.list);
+    open_boundary_films(work, std::move(chords.list));
+    if (chords.has_fronts) {
+        meet_fronts(work);
+    }
     land_vertices(work, candidates);
     change_junctions(work, candidates);
     remove_remnants(work, candidates);

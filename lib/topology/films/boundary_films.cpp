@@ -36,7 +36,7 @@ public:
     void run() {
         index_chords();
         while (visit_runs()) { // the chords are found anew where the mesh was refined
-            chords_ = find_chords(work_);
+            chords_ = find_chords(work_).list;
             index_chords();
         }
     }

@@ -4,10 +4,12 @@
 #include "topology/films/facing.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace dsc {
 
@@ -112,8 +114,27 @@ Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
 }
 
 template <class Real>
-std::vector<Chord<Real>> find_chords(const TopologyWork<Real>& work) {
+Chords<Real> find_chords(const TopologyWork<Real>& work) {
     const Complex<Real>& complex = work.complex;
+    const auto phases_at = [&](Corner sheet) {
+        return std::minmax({complex.phase_at(sheet), phase_beyond(complex, sheet)});
+    };
+    const auto sheet_at = [&](std::uint32_t v) {
+        const Corner at =
+            !complex.is_alive(Vertex{v}) ? no_id : find_corner(complex, Vertex{v}, [&](Corner c) {
+                return is_sheet(complex, prev(c));
+            });
+        return at == no_id ? no_id : prev(at);
+    };
+    Corner some = no_id;
+    for (std::size_t i = 0; i < work.interface.size() && some == no_id; ++i) {
+        some = sheet_at(work.interface[i]);
+    }
+    if (some == no_id) {
+        return {};
+    }
+    const auto pair = phases_at(some);
+    std::atomic<bool> has_fronts = false;
     std::vector<Chord<Real>> chords;
     const Real longest = largest_contact(work.options, work.edge_length);
     const Real squared = static_cast<Real>(1 + length_slack) * longest * longest;
@@ -123,7 +144,13 @@ std::vector<Chord<Real>> find_chords(const TopologyWork<Real>& work) {
         }
         (void)find_corner(complex, Vertex{v}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
-            if (is_sheet(complex, sheet) && !leaves_late(complex, sheet, squared)) {
+            if (!is_sheet(complex, sheet)) {
+                return false;
+            }
+            if (phases_at(sheet) != pair) {
+                has_fronts.store(true, std::memory_order_relaxed);
+            }
+            if (!leaves_late(complex, sheet, squared)) {
                 if (const Chord<Real> chord = find_chord(work, sheet); chord.exists()) {
                     found.push_back(chord);
                 }
@@ -135,7 +162,7 @@ std::vector<Chord<Real>> find_chords(const TopologyWork<Real>& work) {
     std::ranges::sort(chords, {}, [](const Chord<Real>& chord) {
         return std::tuple(chord.ray.middle.x(), chord.ray.middle.y(), chord.sheet);
     });
-    return chords;
+    return {std::move(chords), has_fronts};
 }
 
 template <class Real>
@@ -195,7 +222,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Chord<Real> find_chord(const TopologyWork<Real>&, Corner);                            \
-    template std::vector<Chord<Real>> find_chords(const TopologyWork<Real>&);                      \
+    template Chords<Real> find_chords(const TopologyWork<Real>&);                                  \
     template std::vector<std::vector<Corner>> thin_places(const Complex<Real>&,                    \
                                                           std::span<const Chord<Real>>);           \
     template Connection connection_of(const TopologyWork<Real>&, const Chord<Real>&);

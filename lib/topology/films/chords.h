@@ -29,10 +29,17 @@ struct Chord {
 template <class Real>
 [[nodiscard]] Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet);
 
-/// All chords, in an order that depends only on positions. The threads of the step share the
-/// search. O(interface vertices * contact / edge length); no allocation if there are none.
+/// The chords of an interface.
 template <class Real>
-[[nodiscard]] std::vector<Chord<Real>> find_chords(const TopologyWork<Real>& work);
+struct Chords {
+    std::vector<Chord<Real>> list; ///< in an order that depends only on positions
+    bool has_fronts = false;       ///< the interface separates more than one pair of phases
+};
+
+/// Finds all chords. The threads of the step share the search. O(interface vertices * contact /
+/// edge length); no allocation if there are none.
+template <class Real>
+[[nodiscard]] Chords<Real> find_chords(const TopologyWork<Real>& work);
 
 /// The sheets of the chords between two sheets, grouped into thin places. O(chords).
 template <class Real>
