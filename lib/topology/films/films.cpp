@@ -52,7 +52,7 @@ private:
                     film = &chord;
                     is_beside_end = connection.is_beside_end;
                 }
-            } else if (!connection.is_seam && !(connection.is_far && is_held(chord))) {
+            } else if (!connection.is_seam && !(connection.is_far && is_closing_notch(chord))) {
                 tip = std::min(tip, chord.ray.thickness);
             } else if (work_.options.follows_seams && goes_on(chord, connection) &&
                        (connection.is_seam || may_open(work_, contact(chord)))) {
@@ -81,12 +81,20 @@ private:
                    : !has_end_on_seam(chord.sheet) && !has_end_on_seam(opposite);
     }
 
-    // Whether both sheets are blocked: those of a notch that closes block each other.
-    bool is_held(const Chord<Real>& chord) const {
-        return std::ranges::all_of(std::array{chord.sheet, chord.ray.opposite}, [&](Corner c) {
-            return is_blocked(work_, complex_.vertex(next(c))) ||
-                   is_blocked(work_, complex_.vertex(prev(c)));
-        });
+    // Whether the chord crosses a notch that closes: its two sheets share a vertex, and their other
+    // ends block each other. Two sheets with edges between them may be blocked by something else,
+    // as the overhanging foot of a drop is by the domain boundary.
+    bool is_closing_notch(const Chord<Real>& chord) const {
+        const auto blocks = [&](Corner end) {
+            return (complex_.vertices[complex_.vertex(end)].flags & vertex_contact) != 0;
+        };
+        const Corner one = chord.sheet;
+        const Corner other = chord.ray.opposite;
+        const auto closes = [&](Corner first, Corner second) {
+            return complex_.vertex(prev(first)) == complex_.vertex(next(second)) &&
+                   blocks(next(first)) && blocks(prev(second));
+        };
+        return closes(one, other) || closes(other, one);
     }
 
     // The question to the application.
