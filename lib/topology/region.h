@@ -97,7 +97,7 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet) {
     const Phase beyond = phase_beyond(work.complex, sheet);
-    return is_interface_pair(work.complex.phase_at(sheet), beyond)
+    return beyond != border_phase && beyond != work.complex.phase_at(sheet)
                ? contact_of(work, work.complex.phase_at(sheet), beyond)
                : Real(0);
 }
