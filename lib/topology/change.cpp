@@ -23,6 +23,9 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
     std::ranges::sort(work.blocked);
     Chords<Real> chords = find_chords(work);
     open_films<Real>(work, chords.list);
+    if (!work.touched.empty()) {
+        chords = find_chords(work); // films that opened have changed the interface
+    }
     open_boundary_films(work, std::move(chords.list));
     if (chords.has_fronts) {
         meet_fronts(work);

@@ -46,9 +46,7 @@ private:
 
     void index_chords() {
         std::erase_if(chords_,
-                      [this](const Chord<Real>& chord) { // or another film has opened there
-                          return chord.ray.boundary == no_id || !is_sheet(complex_, chord.sheet);
-                      });
+                      [](const Chord<Real>& chord) { return chord.ray.boundary == no_id; });
         index_.clear();
         for (std::size_t i = 0; i < chords_.size(); ++i) {
             index_.emplace(chords_[i].sheet, i);
@@ -256,6 +254,7 @@ private:
         }
         region.fill();
         region.smooth();
+        region.fill_notches();
         for (Event& event : events) {
             event.area = region.area_of(event.taken[0]);
             work_.events.push_back(event);
