@@ -74,7 +74,7 @@ private:
     }
 
     // Opens the film of a run of successive chords, unless the curve ends on the domain boundary
-    // nearby: they are then the wedge there.
+    // nearby: they are then the wedge there, of which only what is pressed opens.
     void visit_run(std::size_t first) {
         std::vector<Chord<Real>> run;
         for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
@@ -95,15 +95,18 @@ private:
                                             way_to_end(complex_.twin(run.front().sheet), contact))
                                  : Real(0);
         const Real near = static_cast<Real>(length_of_wedge) * contact + work_.edge_length;
-        // The chord is pressed if both its vertices are blocked: stuck in several sub-steps, or
+        // The chord is pressed if both its vertices are stuck in several sub-steps, or if one is
         // blocked now at a place where no vertex lands.
         const auto is_pressed = [&](const Chord<Real>& chord) {
             const Corner c = chord.sheet;
-            return is_stuck(c) || (is_blocked(work_, complex_.vertex(next(c))) &&
-                                   is_blocked(work_, complex_.vertex(prev(c))) &&
+            return is_stuck(c) || ((is_blocked(work_, complex_.vertex(next(c))) ||
+                                    is_blocked(work_, complex_.vertex(prev(c)))) &&
                                    !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
         };
-        if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
+        if (nearest < near) {
+            std::erase_if(run, [&](const Chord<Real>& chord) { return !is_pressed(chord); });
+        }
+        if (!(contact > 0) || run.empty()) {
             return;
         }
         open(run, std::isfinite(nearest) ? EventKind::widen : EventKind::meet);

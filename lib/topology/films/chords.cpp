@@ -122,7 +122,7 @@ Chords<Real> find_chords(const TopologyWork<Real>& work) {
     const auto sheet_at = [&](std::uint32_t v) {
         const Corner at =
             !complex.is_alive(Vertex{v}) ? no_id : find_corner(complex, Vertex{v}, [&](Corner c) {
-                return is_sheet(complex, prev(c));
+                return is_sheet(complex, prev(c)) && !is_border(complex.twin(prev(c)));
             });
         return at == no_id ? no_id : prev(at);
     };
@@ -144,7 +144,7 @@ Chords<Real> find_chords(const TopologyWork<Real>& work) {
         }
         (void)find_corner(complex, Vertex{v}, [&](Corner at) {
             const Corner sheet = prev(at); // the half-edge that starts at the vertex
-            if (!is_sheet(complex, sheet)) {
+            if (!is_sheet(complex, sheet) || is_border(complex.twin(sheet))) {
                 return false;
             }
             if (phases_at(sheet) != pair) {
