@@ -43,8 +43,6 @@ struct TopologyWork {
     std::span<const std::uint32_t> interface = {}; ///< its vertices
     std::uint32_t round = 0;                       ///< of the notes on them
     bool is_again = false; ///< stages have edited the complex since the notes were made
-    /// Whether a vertex of the interface is blocked, or may be.
-    bool has_blocked = true;
     const InShares& in_shares = one_by_one;           ///< the threads of the step
     VertexAttribute<Note>& notes = notes_of(complex); ///< on each star
     /// Where the vertices were when the notes were made.

@@ -104,7 +104,6 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
          .interface = between.interface,
          .round = round,
          .is_again = is_again,
-         .has_blocked = std::ranges::any_of(candidates_, &Candidate::is_blocked),
          .in_shares = between.in_shares,
          .sights = sights_},
         candidates_);

@@ -21,6 +21,9 @@ constexpr double landing_height = 0.15;
 /// It lands on a boundary vertex that is nearer than this fraction of the boundary edge, or of the
 /// edge length if that is less.
 constexpr double landing_share = 0.25;
+/// A vertex this near to the end of its curve on the domain boundary, in edge lengths, lands before
+/// anything blocks it: an end that runs into it would take ever smaller sub-steps.
+constexpr double at_end = 0.01;
 /// Vertices up to this far from the end of the curve, along it, in edge lengths, land first.
 constexpr double landing_reach = 1.5;
 
@@ -33,7 +36,7 @@ public:
     void run() {
         std::vector<std::tuple<Real, Real, std::uint32_t>> found;
         const auto take = [&](std::uint32_t v) {
-            if (is_blocked(work_, v) || is_before_held_end(v)) {
+            if (lands(v)) {
                 found.emplace_back(at(v).x(), at(v).y(), v);
             }
         };
@@ -51,7 +54,7 @@ public:
         std::ranges::sort(found);
         for (const auto& one : found) {
             std::uint32_t v = std::get<2>(one);
-            while (v != no_id && (is_blocked(work_, v) || is_before_held_end(v))) {
+            while (v != no_id && lands(v)) {
                 land_those_before(v);
                 v = land(v);
             }
@@ -60,6 +63,20 @@ public:
 
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    [[nodiscard]] bool lands(std::uint32_t v) const {
+        return is_blocked(work_, v) || is_before_held_end(v) || is_at_end(v);
+    }
+
+    [[nodiscard]] bool is_at_end(std::uint32_t v) const {
+        const Real near = static_cast<Real>(at_end) * work_.edge_length;
+        return complex_.is_alive(Vertex{v}) &&
+               find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   return is_sheet(complex_, prev(c)) &&
+                          direction(complex_, prev(c)).squaredNorm() < near * near &&
+                          is_on_boundary(complex_.vertex(next(c)));
+               }) != no_id;
+    }
 
     // If the end of a curve is blocked, the next vertices of its own curves are in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
@@ -353,9 +370,7 @@ private:
 
 template <class Real>
 void land_vertices(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
-    if (work.has_blocked) {
-        Landing<Real>(work, candidates).run();
-    }
+    Landing<Real>(work, candidates).run();
 }
 
 template void land_vertices(TopologyWork<double>&, std::span<const Candidate>);
