@@ -95,18 +95,17 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
     };
     find_at(between.in_shares, between.interface, candidates_, look);
     sights_.resize(ranges_of_places);
-    area_ += change_topology<Real>(
-        {.complex = between.complex,
-         .options = options_,
-         .edge_length = edge_length_,
-         .time = static_cast<double>(between.time),
-         .events = events_,
-         .interface = between.interface,
-         .round = round,
-         .is_again = is_again,
-         .in_shares = between.in_shares,
-         .sights = sights_},
-        candidates_);
+    area_ += change_topology<Real>({.complex = between.complex,
+                                    .options = options_,
+                                    .edge_length = edge_length_,
+                                    .time = static_cast<double>(between.time),
+                                    .events = events_,
+                                    .interface = between.interface,
+                                    .round = round,
+                                    .is_again = is_again,
+                                    .in_shares = between.in_shares,
+                                    .sights = sights_},
+                                   candidates_);
 }
 
 template <class Real>
