@@ -3,6 +3,7 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/motion/time_ahead.h"
 #include "dsc/passes/work.h"
 
 #include <algorithm>
@@ -43,8 +44,10 @@ VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex) {
 template <class Real>
 void begin_notes(Complex<Real>& complex) {
     VertexAttribute<Note>& notes = notes_of(complex);
+    VertexAttribute<TimeAhead<Real>>& ahead = times_ahead_of(complex);
     for (const Vertex v : vertices(complex)) {
         notes[v] = {};
+        ahead[v] = {};
     }
     for (const Triangle t : triangles(complex)) {
         for (std::uint32_t i = 0; i < 3; ++i) {

@@ -66,8 +66,8 @@ template <class Real>
 /// The positions before the sub-step of the vertices noted last. As `notes_of`.
 template <class Real>
 [[nodiscard]] VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex);
-/// Clears all notes, such as those of an earlier simulation, and notes which vertices are on the
-/// domain boundary. O(n).
+/// Clears all notes, such as those of an earlier simulation, and how far vertices are ahead of the
+/// time, and notes which vertices are on the domain boundary. O(n).
 template <class Real>
 void begin_notes(Complex<Real>& complex);
 

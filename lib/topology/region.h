@@ -8,6 +8,7 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/points.h"
+#include "dsc/motion/time_ahead.h"
 #include "topology/candidates.h"
 #include "topology/events.h"
 #include "topology/notes.h"
@@ -29,6 +30,15 @@ struct Transfer {
     Triangle near;       ///< a triangle there
 };
 
+/// A vertex that did not arrive before the stages changed anything. It may have arrived since, or
+/// another vertex may have its id: then its noted place is another.
+template <class Real>
+struct Missed {
+    std::uint32_t vertex;    ///< its id
+    Point<Real> target;      ///< where it was to go
+    NotedPlace<Real> before; ///< where it came from
+};
+
 template <class Real>
 struct SightScratch; // films/sight.h
 
@@ -39,6 +49,7 @@ struct TopologyWork {
     const TopologyOptions<Real>& options;          ///< of the stage
     Real edge_length;                              ///< of the interface
     double time;                                   ///< of the events
+    Real dt = 1;                                   ///< of the sub-step
     std::vector<Event>& events;                    ///< what happens is appended
     std::span<const std::uint32_t> interface = {}; ///< its vertices
     std::uint32_t round = 0;                       ///< of the notes on them
@@ -51,6 +62,9 @@ struct TopologyWork {
     /// some may now have too many sectors, or slender triangles.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {};      ///< recorded if area must be given back
+    std::span<const Missed<Real>> missed = {}; ///< in the movement of this sub-step, ascending
+    /// How far the vertices are ahead of the time.
+    VertexAttribute<TimeAhead<Real>>& ahead = times_ahead_of(complex);
     std::span<SightScratch<Real>> sights = {}; ///< one for each range of places
     double swept = 0; ///< area, by merged junctions; the next event reports it
     /// The candidates that were blocked before the change, ascending.

@@ -111,15 +111,24 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
     look_in_ranges(between.in_shares, candidates_.size(), look);
     sights_.resize(ranges_of_places);
     std::erase_if(candidates_, [](const auto& candidate) { return candidate.vertex == no_id; });
+    if (!is_again) {
+        missed_.clear();
+        for (const MovingVertex<Real>& one : between.missed) {
+            missed_.push_back({one.vertex, {one.x, one.y}, (*places_)[Vertex{one.vertex}]});
+        }
+        std::ranges::sort(missed_, {}, &Missed<Real>::vertex);
+    }
     area_ += change_topology<Real>({.complex = between.complex,
                                     .options = options_,
                                     .edge_length = edge_length_,
                                     .time = static_cast<double>(between.time),
+                                    .dt = between.dt,
                                     .events = events_,
                                     .interface = between.interface,
                                     .round = round,
                                     .is_again = is_again,
                                     .in_shares = between.in_shares,
+                                    .missed = missed_,
                                     .sights = sights_},
                                    candidates_);
 }

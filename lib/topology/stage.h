@@ -10,6 +10,7 @@
 #include "topology/films/sight.h"
 #include "topology/notes.h"
 #include "topology/options.h"
+#include "topology/region.h"
 
 #include <utility>
 #include <vector>
@@ -62,6 +63,7 @@ private:
     std::uint32_t round_ = 2;                ///< of the next notes; 0: a vertex without a note
     std::vector<Candidate> candidates_;      ///< scratch of run
     std::vector<SightScratch<Real>> sights_; ///< scratch of run
+    std::vector<Missed<Real>> missed_;       ///< of this sub-step
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these
     AreaAccount area_;

@@ -6,6 +6,7 @@
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/films/front_point.h"
 #include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 
@@ -154,9 +155,29 @@ private:
         }
     }
 
-    // The place and the time t with n.(place - p) = t for the normal n and a point p of each edge
-    // of the outline, weighted by length, in the sense of least squares. Held a little to the mean
-    // of the outline: between two parallel fronts it could be anywhere.
+    // How far the edge of the outline goes in a sub-step; none if nobody knows.
+    [[nodiscard]] std::optional<Real> speed_of_edge(Corner c) const {
+        const Point<Real> way = direction(complex_, c).normalized();
+        return speed_of(work_, front_point(complex_, c, Real(0.5)), Point<Real>(-way.y(), way.x()));
+    }
+    // The mean of those that are known.
+    [[nodiscard]] Real mean_speed() const {
+        Real sum = 0;
+        Real length = 0;
+        for (const Corner c : outline_) {
+            const auto speed = is_border(complex_.twin(c)) ? std::nullopt : speed_of_edge(c);
+            if (speed && *speed > 0) {
+                const Real size = direction(complex_, c).norm();
+                sum += size * *speed;
+                length += size;
+            }
+        }
+        return length > 0 ? sum / length : Real(0);
+    }
+
+    // The place and the time t with n.(place - p) = v t for the normal n, the speed v and a point p
+    // of each edge of the outline, weighted by length, in the sense of least squares. Held a little
+    // to the mean of the outline: between two parallel fronts it could be anywhere.
     [[nodiscard]] Point<Real> meeting_place() const {
         constexpr double hold = 1e-4;
         Point<double> mean = Point<double>::Zero();
@@ -168,6 +189,7 @@ private:
             perimeter += way.norm();
         }
         mean /= perimeter;
+        const Real speed = mean_speed();
         Eigen::Matrix3d matrix = Eigen::Vector3d(hold, hold, 0).asDiagonal();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         for (const Corner c : outline_) {
@@ -178,9 +200,14 @@ private:
                 continue;
             }
             const Point<double> n(-way.y() / length, way.x() / length);
-            const Eigen::Vector3d row(n.x(), n.y(), -1);
+            const Real own = std::max(speed_of_edge(c).value_or(speed), Real(0));
+            const double rate = speed > 0 ? static_cast<double>(own / speed) : 1.0;
+            const auto lead = static_cast<double>(
+                lead_of(work_, front_point(complex_, c, Real(0.5)),
+                        Point<Real>(n.template cast<Real>()), speed > 0 ? own : Real(0)));
+            const Eigen::Vector3d row(n.x(), n.y(), -rate);
             matrix += length / perimeter * row * row.transpose();
-            right += length / perimeter * n.dot(from - mean) * row;
+            right += length / perimeter * (n.dot(from - mean) - lead) * row;
         }
         if (boundary_ != no_id) {
             constexpr double fast = 1e6;
