@@ -335,6 +335,9 @@ private:
         if (target != end) {
             work_.events.push_back(event);
         }
+        if (has_landed) {
+            work_.touched.push_back(Vertex{target}); // its star may be slender
+        }
         return has_landed;
     }
 

@@ -29,7 +29,8 @@ public:
     explicit Mending(TopologyWork<Real>& work)
         : work_(work), complex_(work.complex), submesh_(work.complex) {}
 
-    void run(Vertex v) {
+    bool run(Vertex v) {
+        bool has_mended = false;
         for (int round = 0; round < rounds_of_mending && complex_.is_alive(v); ++round) {
             Corner worst = no_id;
             auto min_height = static_cast<Real>(slender_star);
@@ -40,9 +41,11 @@ public:
                 }
             });
             if (worst == no_id || !mend(worst)) {
-                return;
+                break;
             }
+            has_mended = true;
         }
+        return has_mended;
     }
 
 private:
@@ -217,8 +220,8 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
 } // namespace
 
 template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v) {
-    Mending<Real>(work).run(v);
+bool mend_star(TopologyWork<Real>& work, Vertex v) {
+    return Mending<Real>(work).run(v);
 }
 
 template <class Real>
@@ -235,7 +238,7 @@ void collapse_short_sheets(TopologyWork<Real>& work, Vertex v) {
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void mend_star(TopologyWork<Real>&, Vertex);                                          \
+    template bool mend_star(TopologyWork<Real>&, Vertex);                                          \
     template void collapse_short_sheets(TopologyWork<Real>&, Vertex);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -7,10 +7,10 @@
 namespace dsc {
 
 /// Mends the slender triangles in the star of a vertex: flips edges, and removes or moves vertices
-/// inside phases, as long as that is better. Does nothing if the vertex is not alive. No interface
-/// vertex moves, so that all phases keep their areas. O(degrees).
+/// inside phases, as long as that is better. Returns whether it did anything; the vertex need not be
+/// alive. No interface vertex moves, so that all phases keep their areas. O(degrees).
 template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v);
+bool mend_star(TopologyWork<Real>& work, Vertex v);
 
 /// Collapses into a vertex the interface vertices that sheets join to it with less than a tenth of
 /// the edge length, if that leaves better triangles: vertices on one curve, features only into
