@@ -341,6 +341,7 @@ private:
         }
         region.fill([&](Triangle t, Phase to) { return may_take(t, to, kind, events, refused); });
         region.smooth();
+        region.divide();
         for (Event& event : events) {
             event.area = region.area_of(event.taken[0]);
             work_.events.push_back(event);

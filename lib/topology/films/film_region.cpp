@@ -5,6 +5,7 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/films/division.h"
 #include "topology/films/film_ray.h"
 
 #include <algorithm>
@@ -256,6 +257,25 @@ bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const
                                         complex.position(Vertex{complex.vertex(prev(c))})) > 0;
     });
     return is_positive;
+}
+
+template <class Real>
+void FilmRegion<Real>::divide() {
+    std::vector<Phase> takers;
+    for (const Triangle t : order_) {
+        takers.push_back(entries_.at(t.id).to);
+    }
+    std::ranges::sort(takers);
+    takers.erase(std::unique(takers.begin(), takers.end()), takers.end());
+    if (takers.size() < 2 || !meet_in_points(film_)) {
+        return;
+    }
+    const std::vector<Share> shares = divide_by_arrival<Real>(work_, order_, takers);
+    entries_.clear();
+    order_.clear();
+    for (const Share& share : shares) {
+        offer(share.triangle, share.to, Real(0));
+    }
 }
 
 template <class Real>

@@ -35,6 +35,8 @@ public:
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();
+    /// Divides the region anew if several phases take parts of it (division.h).
+    void divide();
     /// The area that the phase will take. O(number of triangles).
     [[nodiscard]] double area_of(Phase taker) const;
     /// Gives all triangles to their new phases and returns their area. Their vertices are then
