@@ -99,6 +99,30 @@ template <class Real>
     return complex.phase_at(complex.twin(c));
 }
 
+/// The contact distance of two phases; 0 if their interface must stay. O(pairs).
+template <class Real>
+[[nodiscard]] Real contact_of(const TopologyWork<Real>& work, Phase one, Phase other) {
+    const auto rule = rule_of(work.options, work.edge_length, one, other);
+    return rule.rule == Topology::change ? rule.contact : Real(0);
+}
+
+/// The contact distance at a half-edge; 0 if it must stay, as the domain boundary does. O(pairs).
+template <class Real>
+[[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet) {
+    const Phase beyond = phase_beyond(work.complex, sheet);
+    return beyond != border_phase && beyond != work.complex.phase_at(sheet)
+               ? contact_of(work, work.complex.phase_at(sheet), beyond)
+               : Real(0);
+}
+
+/// A contact distance as single triangles span it: the default instead of a wide one.
+template <class Real>
+[[nodiscard]] Real within_triangles(const TopologyWork<Real>& work, Real contact) {
+    return is_wide(contact, work.edge_length)
+               ? static_cast<Real>(default_contact) * work.edge_length
+               : contact;
+}
+
 /// The next half-edge along the outline of the phase on the left.
 template <class Real>
 [[nodiscard]] Corner along_outline(const Complex<Real>& complex, Corner c) {

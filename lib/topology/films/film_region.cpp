@@ -142,6 +142,29 @@ void FilmRegion<Real>::fill(const std::function<bool(Triangle, Phase)>& may_take
     }
 }
 
+// A thin triangle between the region and a sheet is the point of a notch.
+template <class Real>
+void FilmRegion<Real>::fill_notches() {
+    const Complex<Real>& complex = work_.complex;
+    for (const Triangle inside : std::vector(order_)) {
+        const Phase to = entries_.at(inside.id).to;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Triangle t{triangle_of(complex.twin(corner_of(inside.id, k)))};
+            if (!is_rest(t) || thickness(complex, t) >= within_triangles(work_, contact_)) {
+                continue;
+            }
+            int closed = 0;
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const Triangle beside{triangle_of(complex.twin(corner_of(t.id, side)))};
+                closed += beside.id != border_triangle && phase_later(beside) == to ? 1 : 0;
+            }
+            if (closed > 1) {
+                offer(t, to, std::numeric_limits<Real>::infinity());
+            }
+        }
+    }
+}
+
 // Whether the triangle belongs to the film, but not to the region.
 template <class Real>
 bool FilmRegion<Real>::is_rest(Triangle t) const {

@@ -32,6 +32,9 @@ public:
     /// triangle for the phase beyond its own sheet, if that may take it, or else for its
     /// neighbour's. O(number of triangles), a few dozen times.
     void fill(const std::function<bool(Triangle, Phase)>& may_take);
+    /// Adds the thin triangles that would remain as sharp notches beside the region. O(number of
+    /// triangles).
+    void fill_notches();
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();

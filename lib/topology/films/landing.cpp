@@ -5,7 +5,6 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/bridge.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
@@ -166,7 +165,7 @@ private:
         Corner found = no_id;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
             for (const auto& [side, mouth] : {std::pair(next(c), prev(c)), {prev(c), next(c)}}) {
-                const Real contact = contact_at(work_, side);
+                const Real contact = within_triangles(work_, contact_at(work_, side));
                 const Real width = direction(complex_, mouth).squaredNorm();
                 if (is_sheet(complex_, c) && is_sheet(complex_, side) &&
                     !is_outline(complex_, mouth) &&
@@ -190,7 +189,8 @@ private:
                 if (is_border(complex_.twin(c)) && !is_outline(complex_, side) &&
                     is_sheet(complex_, next(apex)) && is_sheet(complex_, prev(apex)) &&
                     phase_beyond(complex_, next(apex)) == phase_beyond(complex_, prev(apex)) &&
-                    is_thin(work_, Triangle{triangle_of(apex)})) {
+                    thickness(complex_, Triangle{triangle_of(apex)}) <
+                        within_triangles(work_, contact_at(work_, next(apex)))) {
                     found = next(apex);
                 }
             }

@@ -2,7 +2,6 @@
 #include "topology/films/sight.h"
 
 #include "dsc/queries/phases.h"
-#include "topology/films/bridge.h"
 #include "topology/films/front_curve.h"
 #include "topology/films/front_point.h"
 #include "topology/junctions/sectors.h"
@@ -151,11 +150,7 @@ private:
 
     // 0 where fronts must not meet.
     [[nodiscard]] Real contact(Phase film, Phase other) const {
-        const auto rule = rule_of(work_.options, work_.edge_length, film, other);
-        return rule.rule != Topology::change ? Real(0)
-               : is_wide(rule.contact, work_.edge_length)
-                   ? static_cast<Real>(default_contact) * work_.edge_length
-                   : rule.contact;
+        return within_triangles(work_, contact_of(work_, film, other));
     }
 
     [[nodiscard]] static bool faces(const Sector<Real>& sector, const Point<Real>& towards) {
