@@ -54,7 +54,8 @@ private:
                 }
             } else if (!connection.is_seam && !(connection.is_far && is_closing_notch(chord))) {
                 tip = std::min(tip, chord.ray.thickness);
-            } else if (work_.options.follows_seams && goes_on(chord, connection) &&
+            } else if (work_.options.follows_seams && is_thin_at_both(chord) &&
+                       goes_on(chord, connection) &&
                        (connection.is_seam || may_open(work_, contact(chord)))) {
                 seams_.push_back(chord);
             }
@@ -71,6 +72,12 @@ private:
 
     static bool is_thinner(const Chord<Real>& one, const Chord<Real>& other) {
         return one.ray.thickness < other.ray.thickness;
+    }
+
+    // Whether the film is thin at the middles of both sheets. Ahead of a seam they part, and the
+    // longer one may lead far into the film.
+    bool is_thin_at_both(const Chord<Real>& chord) const {
+        return find_chord(work_, chord.ray.opposite).ray.opposite != no_id;
     }
 
     bool opens(const Chord<Real>& chord) const {
