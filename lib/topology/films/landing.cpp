@@ -24,6 +24,8 @@ constexpr double landing_share = 0.25;
 /// It lands, blocked or not, if it is nearer than this to the end of its curve, in edge lengths.
 /// The direction of a shorter edge is little more than rounding, and so is the end's velocity.
 constexpr double end_of_way = 0.01;
+/// The same above the boundary edge at that end: a flatter triangle there is never mended.
+constexpr double end_of_height = 0.05;
 /// Vertices up to this far from the end of the curve, along it, in edge lengths, land first.
 constexpr double landing_reach = 1.5;
 
@@ -70,14 +72,18 @@ private:
         return is_blocked(work_, v) || is_before_held_end(v) || has_come_to_end(v);
     }
 
-    // Whether the vertex has all but reached the end of its curve on the domain boundary.
+    // Whether the vertex has all but reached the domain boundary, or its curve's end there.
     [[nodiscard]] bool has_come_to_end(std::uint32_t v) const {
         const Real near = static_cast<Real>(end_of_way) * work_.edge_length;
+        const Real low = static_cast<Real>(end_of_height) * work_.edge_length;
         return complex_.is_alive(Vertex{v}) && !complex_.is_locked(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   return is_sheet(complex_, prev(c)) &&
-                          direction(complex_, prev(c)).squaredNorm() < near * near &&
-                          is_on_boundary(complex_.vertex(next(c)));
+                   return (is_sheet(complex_, prev(c)) &&
+                           direction(complex_, prev(c)).squaredNorm() < near * near &&
+                           is_on_boundary(complex_.vertex(next(c)))) ||
+                          (is_border(complex_.twin(c)) &&
+                           (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
+                           thickness(complex_, Triangle{triangle_of(c)}) < low);
                }) != no_id;
     }
 
