@@ -74,10 +74,11 @@ private:
         return one.ray.thickness < other.ray.thickness;
     }
 
-    // Whether the film is thin at the middles of both sheets. Ahead of a seam they part, and the
-    // longer one may lead far into the film.
+    // Whether the film is thin at the opposite sheet, too. Ahead of a seam the sheets part, and an
+    // edge that is longer than the film is thick leads far into it.
     bool is_thin_at_both(const Chord<Real>& chord) const {
-        return find_chord(work_, chord.ray.opposite).ray.opposite != no_id;
+        return is_wide(contact_at(work_, chord.sheet), work_.edge_length) ||
+               find_chord(work_, chord.ray.opposite).ray.opposite != no_id;
     }
 
     bool opens(const Chord<Real>& chord) const {
