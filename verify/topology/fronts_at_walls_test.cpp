@@ -27,7 +27,11 @@ class FrontsAtWalls : public ::testing::Test {
 protected:
     TopologyWork<double> work_on(Complex<double>& complex) {
         begin_notes(complex);
-        return {complex, options_, h, 0, events_};
+        return {.complex = complex,
+                .options = options_,
+                .edge_length = h,
+                .time = 0,
+                .events = events_};
     }
     static bool is_on_sheet(const Complex<double>& complex, Vertex v) {
         return find_corner(complex, v, [&](Corner c) { return is_sheet(complex, prev(c)); }) !=
