@@ -36,8 +36,8 @@ struct OperationCounts {
 /// Edges with more tets are not removed: the work grows with the cube of their number.
 inline constexpr std::uint32_t polygon_limit = 9;
 
-/// Of one thread.
-struct Workspace {
+/// Of one thread: no cache line is also another thread's.
+struct alignas(64) Workspace {
     Rewiring rewiring;
     Star star;
     Star other;

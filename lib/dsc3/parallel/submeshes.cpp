@@ -19,13 +19,14 @@ constexpr std::size_t min_vertices = 16;
 
 Submeshes::Submeshes(Complex& complex, Real edge_length, const Parallel& parallel, Team& team)
     : complex_(complex), team_(team), edge_length_(edge_length), parallel_(parallel),
-      workers_(largest_division(parallel)) {
+      workers_(largest_division(parallel)), workspaces_(team.size()) {
     ownership_.partition = parallel.partition;
     ownership_.submeshes = partition_size(parallel);
     for (std::uint32_t i = 0; i < workers_.size(); ++i) {
         workers_[i].submesh.index = i;
-        workers_[i].work.rewiring.ownership = &ownership_;
-        workers_[i].work.rewiring.submesh = &workers_[i].submesh;
+    }
+    for (Workspace& work : workspaces_) {
+        work.rewiring.ownership = &ownership_;
     }
 }
 
@@ -45,8 +46,7 @@ std::uint32_t Submeshes::kind() const {
 
 void Submeshes::gather_places() {
     for (SubmeshWorker& worker : workers_) {
-        places_.insert(places_.end(), worker.places.begin(), worker.places.end());
-        worker.places.clear();
+        move_all(places_, worker.places);
     }
 }
 
@@ -143,32 +143,25 @@ void Submeshes::deal_ids(std::uint32_t colour) {
 }
 
 void Submeshes::take_ids_back() {
-    const auto append = [](std::vector<std::uint32_t>& to, std::vector<std::uint32_t>& from) {
-        to.insert(to.end(), from.begin(), from.end());
-        from.clear();
-    };
     for (std::size_t i = workers_.size(); i-- > 0;) {
-        append(complex_.free_tets, workers_[i].submesh.free_tets);
-        append(complex_.free_vertices, workers_[i].submesh.free_vertices);
+        move_all(complex_.free_tets, workers_[i].submesh.free_tets);
+        move_all(complex_.free_vertices, workers_[i].submesh.free_vertices);
     }
     complex_.attributes.resize_triangles(complex_.tet_bound());
     ++complex_.version;
 }
 
 void Submeshes::hand_over(Workspace& work) {
-    const auto move_to = [](std::vector<std::uint32_t>& to, std::vector<std::uint32_t>& from) {
-        to.insert(to.end(), from.begin(), from.end());
-        from.clear();
-    };
-    for (SubmeshWorker& worker : workers_) {
-        Workspace& done_there = worker.work;
+    for (Workspace& done_there : workspaces_) {
         work.counts += done_there.counts;
         done_there.counts = {};
         work.treated += done_there.treated;
         work.treated_together += done_there.treated;
         done_there.treated = 0;
-        move_to(work.rewiring.changed, done_there.rewiring.changed);
-        move_to(work.rewiring.interface, done_there.rewiring.interface);
+    }
+    for (SubmeshWorker& worker : workers_) {
+        move_all(work.rewiring.changed, worker.changed);
+        move_all(work.rewiring.interface, worker.interface);
     }
 }
 

@@ -20,10 +20,12 @@ struct WantingEdge {
     std::uint32_t b;
 };
 
-/// A submesh, and what its thread needs to edit it.
-struct SubmeshWorker {
+/// A submesh, the items that are to be edited there, and what the edits have changed. No cache line
+/// is also that of another one.
+struct alignas(64) SubmeshWorker {
     Submesh submesh;
-    Workspace work;
+    std::vector<std::uint32_t> changed;    ///< as `Rewiring::changed`
+    std::vector<std::uint32_t> interface;  ///< as `Rewiring::interface`
     std::vector<std::uint32_t> unfit;      ///< tets to be improved; afterwards those deferred
     std::vector<std::uint32_t> unimproved; ///< as `PassState::unimproved`
     std::vector<WantingEdge> edges;        ///< to be edited; afterwards those deferred
@@ -47,8 +49,9 @@ public:
     void divide(const std::vector<std::uint32_t>& interface);
 
     /// Hands out the items of a list to submeshes in up to `colours` colours: `owner(item, colour)`
-    /// is a submesh, `no_id` or `done`. `edit(worker)` then edits all items of `worker.*list` and
-    /// leaves those in it that it defers. Afterwards `items` has those that no colour did.
+    /// is a submesh, `no_id` or `done`. `edit(worker, work)` then edits all items of `worker.*list`
+    /// in the workspace of a thread, and leaves those in it that it defers. Afterwards `items` has
+    /// those that no colour did.
     template <class Item, class Owner, class Edit>
     void in_colours(std::vector<Item>& items, std::uint32_t colours,
                     std::vector<Item> SubmeshWorker::*list, Owner owner, Edit edit);
@@ -76,11 +79,20 @@ private:
     Parallel parallel_;
     Ownership ownership_;
     std::vector<SubmeshWorker> workers_;
+    // By thread and not by submesh: they stay in the caches of their cores.
+    std::vector<Workspace> workspaces_;
     std::vector<std::size_t> loads_;    ///< items by submesh
     std::vector<std::uint32_t> order_;  ///< submeshes with items: those with the most first
     std::vector<std::uint32_t> owners_; ///< by item
     std::vector<Point> places_;
 };
+
+/// Appends a list to another one, and empties it.
+template <class Value>
+void move_all(std::vector<Value>& to, std::vector<Value>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+    from.clear();
+}
 
 template <class Item, class Owner, class Edit>
 void Submeshes::in_colours(std::vector<Item>& items, std::uint32_t colours,
@@ -109,11 +121,17 @@ void Submeshes::in_colours(std::vector<Item>& items, std::uint32_t colours,
         }
         deal_ids(colour);
         team_.each(static_cast<std::uint32_t>(order_.size()),
-                   [&](std::uint32_t k, std::uint32_t) { edit(workers_[order_[k]]); });
+                   [&](std::uint32_t k, std::uint32_t thread) {
+                       SubmeshWorker& worker = workers_[order_[k]];
+                       Workspace& work = workspaces_[thread];
+                       work.rewiring.submesh = &worker.submesh;
+                       edit(worker, work);
+                       move_all(worker.changed, work.rewiring.changed);
+                       move_all(worker.interface, work.rewiring.interface);
+                   });
         take_ids_back();
         for (SubmeshWorker& worker : workers_) {
-            items.insert(items.end(), (worker.*list).begin(), (worker.*list).end());
-            (worker.*list).clear();
+            move_all(items, worker.*list);
         }
     }
 }

@@ -206,8 +206,8 @@ void repair_mesh(PassState& state, Real quality, Effort effort) {
                        : Submeshes::done;
         };
         state.submeshes->in_colours(state.unfit, colour_count, &SubmeshWorker::unfit, owner,
-                                    [&](SubmeshWorker& worker) {
-                                        Repair(state, worker.work, quality, effort).run(worker);
+                                    [&](SubmeshWorker& worker, Workspace& work) {
+                                        Repair(state, work, quality, effort).run(worker);
                                     });
         state.collect_from_submeshes();
     }

@@ -35,8 +35,7 @@ void PassState::collect_from_submeshes() {
     }
     submeshes->hand_over(work);
     for (SubmeshWorker& worker : submeshes->workers()) {
-        unimproved.insert(unimproved.end(), worker.unimproved.begin(), worker.unimproved.end());
-        worker.unimproved.clear();
+        move_all(unimproved, worker.unimproved);
     }
 }
 
