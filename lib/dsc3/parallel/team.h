@@ -120,9 +120,14 @@ private:
     std::vector<std::exception_ptr> failures_;
 };
 
+/// The results of a chunk. No cache line is also that of another one: threads that append to two of
+/// them would take it from each other.
+template <class Value>
+struct alignas(64) ChunkList : std::vector<Value> {};
+
 /// The results of a loop, by chunk.
 template <class Value>
-using ByChunk = std::array<std::vector<Value>, Team::max_chunks>;
+using ByChunk = std::array<ChunkList<Value>, Team::max_chunks>;
 
 /// Appends the results of the first chunks in their order.
 template <class Value>

@@ -38,8 +38,8 @@ struct Follower {
     std::uint32_t count;
 };
 
-/// Of one thread.
-struct ThreadScratch {
+/// Of one thread: no cache line is also another thread's.
+struct alignas(64) ThreadScratch {
     Star star;
     std::vector<std::uint32_t> places; ///< by vertex: its place in the list of followers
 };
