@@ -91,7 +91,7 @@ TEST_F(FrontsAtWalls, ALastFilmAtAWallIsDividedOnTheBisectorOfItsFronts) {
 // The direction of a shorter edge would be little more than rounding.
 TEST_F(FrontsAtWalls, AVertexAtItsCurvesEndLandsAndNoOther) {
     const std::vector<Curve> curves{{{{0.5, 0}, {0.5, 1}}, 1, 0}};
-    for (const double height : {0.005 * h, 0.02 * h}) {
+    for (const double height : {0.03 * h, 0.08 * h}) {
         SCOPED_TRACE(height / h);
         auto complex = initial_complex<double>({}, curves, {.edge_length = h});
         const Vertex v = nearest(complex, {0.5, h});
@@ -101,7 +101,7 @@ TEST_F(FrontsAtWalls, AVertexAtItsCurvesEndLandsAndNoOther) {
         const std::array candidates{candidate};
         TopologyWork<double> work = work_on(complex);
         land_vertices<double>(work, candidates);
-        EXPECT_EQ(complex.is_alive(v), height > 0.01 * h);
+        EXPECT_EQ(complex.is_alive(v), height > 0.05 * h);
         EXPECT_TRUE(events_.empty());
         EXPECT_EQ(validate(complex).problem, "");
     }

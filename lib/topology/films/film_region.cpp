@@ -290,7 +290,8 @@ void FilmRegion<Real>::divide() {
     }
     std::ranges::sort(takers);
     takers.erase(std::unique(takers.begin(), takers.end()), takers.end());
-    if (takers.size() < 2 || !meet_in_points(film_)) {
+    // Where phases keep their areas, fronts displace nothing: what is taken is given back.
+    if (takers.size() < 2 || !meet_in_points(film_) || work_.options.gives_back_area) {
         return;
     }
     const std::vector<Share> shares = divide_by_arrival<Real>(work_, order_, takers);

@@ -115,9 +115,6 @@ private:
     // normal.
     [[nodiscard]] static Meet meeting_of(const Sight<Real>& sight, const Point<Real>& v,
                                          const Point<Real>& q) {
-        if (sight.is_met) {
-            return {.place = q, .shares = 0};
-        }
         Real speed_v = std::max(sight.speed_v, Real(0));
         Real speed_q = std::max(sight.speed_q, Real(0));
         const bool has_speeds = speed_v + speed_q > 0;

@@ -80,11 +80,7 @@ private:
     void look_into(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
                    std::optional<Sight<Real>>& best) const {
         const Sector<Real>& sector = sectors[k];
-        if (!meet_in_points(sector.phase)) {
-            return;
-        }
-        if (sector.angle < min_sector && !is_pocket(sector)) {
-            look_back(v, sectors, k, best);
+        if (!meet_in_points(sector.phase) || (sector.angle < min_sector && !is_pocket(sector))) {
             return;
         }
         Corner c = sector.first;
@@ -96,51 +92,6 @@ private:
                 look_at_vertex(v, sectors, k, complex_.vertex(prev(c)), Real(-1), best);
             }
         }
-    }
-
-    // The end of a seam may have run past the next vertex of one of its fronts, which then leans
-    // back: the two are one, where the lines of the fronts intersect.
-    void look_back(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
-                   std::optional<Sight<Real>>& best) const {
-        const Sector<Real>& sector = sectors[k];
-        if (sectors.size() != 2 || complex_.is_feature(Vertex{v})) {
-            return;
-        }
-        const std::array beside = ends_of(sector);
-        for (const std::size_t i : {0U, 1U}) {
-            const std::uint32_t end = beside[i];
-            Sectors<Real>& there = scratch_.there;
-            find_sectors(complex_, Vertex{end}, there);
-            if (there.size() != 3 || there.is_on_boundary || is_locked(end)) {
-                continue;
-            }
-            std::size_t film = 0;
-            while (there[film].phase != sector.phase) {
-                ++film;
-            }
-            Sight<Real> sight{.v = v, .q = end, .film = sector.phase, .is_met = true};
-            sight.one = sectors[1 - k].phase;
-            sight.other = there.before(film).phase == sight.one ? there.after(film).phase
-                                                                : there.before(film).phase;
-            const std::array fronts = ends_of(there[film]);
-            const std::uint32_t following = fronts[0] == v ? fronts[1] : fronts[0];
-            const Point<Real> along = at(v) - at(beside[1 - i]);
-            const Point<Real> across = at(end) - at(following);
-            const Real cut = cross<Real>(along, across);
-            const Point<Real> way = at(end) - at(v);
-            const Real share = cross<Real>(way, across) / cut;
-            if (std::abs(cut) > Real(0.5) * along.norm() * across.norm() &&
-                std::abs(share) * along.norm() < way.norm() && way.norm() < work_.edge_length &&
-                contact(sight.film, sight.one) > 0 && contact(sight.film, sight.other) > 0) {
-                sight.front_q = at(v) + share * along;
-                best = sight;
-            }
-        }
-    }
-    // The vertices at which the two edges of a sector end.
-    [[nodiscard]] std::array<std::uint32_t, 2> ends_of(const Sector<Real>& sector) const {
-        return {complex_.vertex(next(sector.first)),
-                complex_.vertex(prev(last_of(complex_, sector)))};
     }
 
     // A triangle of the film that fronts enclose.

@@ -28,7 +28,6 @@ struct Sight {
     Real speed_q = 0;                           ///< the same at q
     Real lead_v = 0;             ///< by which v is ahead of its front, along its normal
     Real lead_q = 0;             ///< the same at q
-    bool is_met = false;         ///< the fronts have met: `front_q` is where they are one now
     bool is_on_boundary = false; ///< both lie on the domain boundary
 };
 
