@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/landing.h"
 
+#include "topology/films/contraction.h"
+
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
@@ -216,7 +218,11 @@ private:
                 neighbours.emplace_back((at(w) - at(v)).squaredNorm(), at(w).x(), at(w).y(), w);
             }
         });
-        if (neighbours.size() != 2 || is_on_boundary(v) || !(contact_at(work_, curve) > 0)) {
+        if (neighbours.size() < 2 || is_on_boundary(v) || !(contact_at(work_, curve) > 0)) {
+            return no_id;
+        }
+        if (neighbours.size() > 2) {
+            land_junction(v);
             return no_id;
         }
         std::ranges::sort(neighbours); // the nearer one first
@@ -227,6 +233,33 @@ private:
             }
         }
         return no_id;
+    }
+
+    // A junction that is all but on an edge of the domain boundary, such as the end of a seam that
+    // has run there, becomes a vertex of it.
+    void land_junction(std::uint32_t v) {
+        const Real near = static_cast<Real>(end_of_height) * work_.edge_length;
+        const Corner c = find_corner(complex_, Vertex{v}, [&](Corner k) {
+            return is_border(complex_.twin(k)) &&
+                   thickness(complex_, Triangle{triangle_of(k)}) < near;
+        });
+        if (c == no_id) {
+            return;
+        }
+        const Point<Real> from = at(complex_.vertex(next(c)));
+        const Point<Real> way = direction(complex_, c);
+        const Real share = (at(v) - from).dot(way) / way.squaredNorm();
+        const auto join = [&](std::uint32_t w) { (void)contract<Real>(work_, v, w, at(w)); };
+        constexpr Real near_end = Real(0.1);
+        if (share < near_end || share > 1 - near_end) {
+            join(complex_.vertex(share < near_end ? next(c) : prev(c)));
+            return;
+        }
+        const Point<Real> foot = from + share * way;
+        const SplitResult split = edge_split(submesh_, c, foot);
+        if (split.verdict == Verdict::legal) {
+            join(split.vertex.id);
+        }
     }
 
     // The boundary edge, among those at the end of a curve, that lies below the vertex.

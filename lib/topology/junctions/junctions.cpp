@@ -281,7 +281,7 @@ void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
         }
         mended.insert(mended.end(), work.touched.begin(), work.touched.end());
     }
-    mended = with_links<Real>(work.complex, mended);
+    mended = with_links<Real>(work.complex, with_links<Real>(work.complex, mended));
     for (const Vertex v : mended) { // some may have been removed from other stars by then
         collapse_short_sheets(work, v);
     }

@@ -7,8 +7,8 @@
 namespace dsc {
 
 /// Mends the slender triangles in the star of a vertex: flips edges, and removes or moves vertices
-/// inside phases, as long as that is better. Returns whether it did anything; the vertex need not be
-/// alive. No interface vertex moves, so that all phases keep their areas. O(degrees).
+/// inside phases, as long as that is better. Returns whether it did anything; the vertex need not
+/// be alive. No interface vertex moves, so that all phases keep their areas. O(degrees).
 template <class Real>
 bool mend_star(TopologyWork<Real>& work, Vertex v);
 
