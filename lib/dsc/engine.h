@@ -19,6 +19,7 @@
 #include "dsc/motion/integrator.h"
 #include "dsc/motion/interpolation.h"
 #include "dsc/motion/movement.h"
+#include "dsc/motion/time_ahead.h"
 
 #include "dsc/passes/algorithm.h"
 #include "dsc/passes/interface/list.h"

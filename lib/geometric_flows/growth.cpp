@@ -129,7 +129,8 @@ private:
         Point<Real> boundary = Point<Real>::Zero();
         Point<Real> inwards = Point<Real>::Zero(); // of the domain
         Point<Real> sheet = Point<Real>::Zero();
-        int sheets = 0; // that move
+        Point<Real> seam = Point<Real>::Zero(); // its normal
+        int sheets = 0;                         // that move
         Real fastest = 0;
         for (const InterfaceArm& arm : arms_of(view_, i)) {
             const Point<Real> along = -tangent_to(i, arm.neighbour);
@@ -141,6 +142,10 @@ private:
             }
             const Point<Real> n = right_of<Real>(along);
             const Real speed = speed_at(i, arm.left, arm.right);
+            if (speed == 0 && is_seam(i, arm)) {
+                seam = n;
+                continue;
+            }
             x += n.x() * n;
             y += n.y() * n;
             right += speed * n;
@@ -149,6 +154,12 @@ private:
                 sheet = along;
                 ++sheets;
             }
+        }
+        // The fronts say where a seam goes on; its own direction counts only where they are one
+        // line.
+        if (!(cross<Real>(x, y) > straight_ * straight_)) {
+            x += seam.x() * seam;
+            y += seam.y() * seam;
         }
         Point<Real> velocity = Point<Real>::Zero();
         if (view_.is_on_boundary(i)) {
@@ -171,6 +182,18 @@ private:
         const Real size = velocity.norm();
         const Real max = size > fastest ? fastest * notch_of(i, velocity / size) : fastest;
         return size > max ? Point<Real>(max / size * velocity) : velocity;
+    }
+
+    // Whether a sheet lies between two phases whose fronts have met at the junction.
+    [[nodiscard]] bool is_seam(std::size_t i, const InterfaceArm& seam) const {
+        const auto has_front = [&](Phase phase) {
+            return std::ranges::any_of(arms_of(view_, i), [&](const InterfaceArm& arm) {
+                return arm.left != border_phase && arm.right != border_phase &&
+                       (arm.left == phase || arm.right == phase) &&
+                       speed_at(i, arm.left, arm.right) != 0;
+            });
+        };
+        return has_front(seam.left) && has_front(seam.right);
     }
 
     // How many times faster than its sheets a junction may move in this direction. Where all moving

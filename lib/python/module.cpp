@@ -17,7 +17,7 @@ PYBIND11_MODULE(_dsc, module) {
         "fast.";
     // Seals bytes, so that a changed byte is detected. Raise the version with every change of what
     // pickles contain: those of an earlier one are then refused as such.
-    const dsc::SealedKind kind{"dsc-py", 3};
+    const dsc::SealedKind kind{"dsc-py", 4};
     module.def("sealed",
                [kind](const std::string& bytes) { return py::bytes(dsc::sealed(kind, bytes)); });
     module.def("unsealed", [kind](const std::string& bytes, const std::string& name) {

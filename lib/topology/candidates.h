@@ -16,12 +16,11 @@ namespace dsc {
 /// A vertex of the interface, and whether the topology may have to change there.
 struct Candidate {
     std::uint32_t vertex; ///< its id
-    bool is_thin;         ///< a triangle of its star is thin, or may be
-    bool is_facing;       ///< one is thin, and its opposite edge may be on the interface
     /// The interface turns sharply or tightly there, has a junction, or is beside the domain
     /// boundary.
     bool is_sharp;
     bool is_junction; ///< a sharp turn or a junction, other than a turn of two edges inside
+    bool is_blocked;  ///< against another sheet, or the domain boundary
 };
 
 /// The number of ranges into which a list is divided for the threads.
@@ -38,17 +37,16 @@ void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& lo
     (count < few ? one_by_one : in_shares)(ranges_of_places, std::cref(look_in));
 }
 
-/// Appends what `look(candidate, found)` appends for each candidate to `found`, in their order.
-/// `look` may only read, since several threads call it at the same time. No allocation if nothing
-/// is found.
-template <class Found, class Look>
-void find_at(const InShares& in_shares, std::span<const Candidate> candidates,
-             std::vector<Found>& found, const Look& look) {
+/// Appends what `look(place, found)` appends for each place to `found`, in their order. `look` may
+/// only read, since several threads call it at the same time. No allocation if nothing is found.
+template <class Place, class Found, class Look>
+void find_at(const InShares& in_shares, std::span<const Place> places, std::vector<Found>& found,
+             const Look& look) {
     std::array<std::vector<Found>, ranges_of_places> parts;
-    look_in_ranges(in_shares, candidates.size(),
+    look_in_ranges(in_shares, places.size(),
                    [&](std::size_t range, std::size_t begin, std::size_t end) {
-                       for (const Candidate& candidate : candidates.subspan(begin, end - begin)) {
-                           look(candidate, parts[range]);
+                       for (const Place& place : places.subspan(begin, end - begin)) {
+                           look(place, parts[range]);
                        }
                    });
     for (const auto& part : parts) {

@@ -3,6 +3,7 @@
 
 #include "dsc/complex/gather.h"
 #include "dsc/complex/ranges.h"
+#include "dsc/motion/time_ahead.h"
 #include "dsc/passes/work.h"
 
 #include <algorithm>
@@ -28,8 +29,7 @@ VertexAttribute<Note>& notes_of(Complex<Real>& complex) {
     }
     return complex.attributes.template add<Vertex>(
         notes_name, Note{}, [](const Note& one, const Note& other, double) {
-            return Note{.round = std::min(one.round, other.round),
-                        .what = one.what & other.what & noted_boundary};
+            return Note{.round = std::min(one.round, other.round)};
         });
 }
 
@@ -37,23 +37,22 @@ template <class Real>
 VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex) {
     return complex.attributes.contains(places_name)
                ? complex.attributes.template get<Vertex, NotedPlace<Real>>(places_name)
-               : complex.attributes.template add<Vertex>(places_name, NotedPlace<Real>{});
+               : complex.attributes.template add<Vertex>(
+                     places_name, NotedPlace<Real>{},
+                     [](const NotedPlace<Real>& one, const NotedPlace<Real>& other, double share) {
+                         const auto s = static_cast<Real>(share);
+                         return NotedPlace<Real>{one.x + s * (other.x - one.x),
+                                                 one.y + s * (other.y - one.y)};
+                     });
 }
 
 template <class Real>
 void begin_notes(Complex<Real>& complex) {
     VertexAttribute<Note>& notes = notes_of(complex);
+    VertexAttribute<TimeAhead<Real>>& ahead = times_ahead_of(complex);
     for (const Vertex v : vertices(complex)) {
         notes[v] = {};
-    }
-    for (const Triangle t : triangles(complex)) {
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            const Corner c = corner_of(t.id, i);
-            if (is_border(complex.twin(c))) {
-                notes[Vertex{complex.vertex(next(c))}].what = noted_boundary;
-                notes[Vertex{complex.vertex(prev(c))}].what = noted_boundary;
-            }
-        }
+        ahead[v] = {};
     }
 }
 
@@ -61,30 +60,19 @@ namespace {
 
 // The star of one vertex, as the remeshing has left it.
 template <class Real>
-std::uint32_t look_at(const Complex<Real>& complex, const VertexAttribute<Note>& notes,
-                      const Notability<Real>& what, std::uint32_t round, const Star<Real>& star,
-                      const IncidentEdges& incident) {
+std::uint32_t look_at(Real curvature, const Star<Real>& star, const IncidentEdges& incident) {
     if (incident.count == 0) {
         return 0;
     }
-    // The vertices of an owned star are all listed in this work, so no other thread writes their
-    // notes. A star that is not owned is assumed to face a sheet. Vertices on the domain boundary
-    // count as noted.
-    const bool may_face = !star.owned || may_face_a_sheet(notes, round, star);
-    const bool is_beside_boundary = star.owned && may_face && faces_boundary(complex, star);
-    // Thinness of a star that faces no sheet matters only after something else has changed, and is
-    // tested then.
-    const bool is_thin = !may_face || has_thin_triangle(star, what.contact * what.contact);
     const bool is_sharp =
         incident.count > 2 || (incident.count == 2 && turns_sharply(Bend(star, incident)));
     const bool ends_on_boundary =
         !star.closed && (incident.first != 0 || incident.second != star.size);
-    const bool is_notable = is_sharp || (incident.count == 2 &&
-                                         (turns_tightly(Bend(star, incident), what.curvature) ||
-                                          ends_on_boundary || (star.closed && is_beside_boundary)));
+    const bool is_notable =
+        is_sharp || (incident.count == 2 &&
+                     (turns_tightly(Bend(star, incident), curvature) || ends_on_boundary));
     const bool is_junction = is_sharp && (incident.count != 2 || !star.closed);
-    return (is_thin ? noted_thin : 0U) | (is_thin && may_face ? noted_facing : 0U) |
-           (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
+    return (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
 
 // Notes that the vertex is on the interface, and its position.
@@ -92,9 +80,7 @@ template <class Real>
 Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t round,
                   const Notebook<Real>& book) {
     Note& note = (*book.notes)[Vertex{v}];
-    const bool is_first =
-        note.round == round ? (note.what & noted_first) != 0 : round - note.round > 1;
-    note = {round, (note.what & noted_for_ever) | (is_first ? noted_first : 0U)};
+    note = {round, note.what & noted_seam};
     (*book.places)[Vertex{v}] = {complex.vertices[v].x, complex.vertices[v].y};
     return note;
 }
@@ -103,42 +89,30 @@ Note& note_vertex(const Complex<Real>& complex, std::uint32_t v, std::uint32_t r
 
 template <class Real>
 void note_star(const Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident,
-               const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book) {
-    const std::uint32_t seen = look_at(work.complex, *book.notes, what, round, star, incident);
-    note_vertex(work.complex, star.vertex, round, book).what |= seen | noted_star;
+               Real curvature, std::uint32_t round, const Notebook<Real>& book) {
+    note_vertex(work.complex, star.vertex, round, book).what |=
+        look_at(curvature, star, incident) | noted_star;
 }
 
 template <class Real>
-void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round) {
-    if (what.contact == 0) {
+void note_stars(Work<Real>& work, Real curvature, std::uint32_t round) {
+    if (curvature == 0) {
         return;
     }
     Complex<Real>& complex = work.complex;
     const Notebook<Real> book{&notes_of(complex), &places_of(complex)};
-    VertexAttribute<Note>& notes = *book.notes;
-    // All vertices are noted before any star, because stars are examined by the notes of
-    // neighbours.
-    std::vector<std::uint32_t>& left = work.interface_next; // scratch of the remeshing
-    left.clear();
-    bool has_first = false;
     for (const std::uint32_t v : work.interface) {
         if (!complex.is_alive(Vertex{v})) {
             continue;
         }
-        const bool is_noted = notes[Vertex{v}].round == round &&
-                              (notes[Vertex{v}].what & noted_star) != 0 &&
-                              complex.vertices[v].stamp != work.epoch;
-        if (!is_noted) {
-            note_vertex(complex, v, round, book);
-            left.push_back(v);
+        const Note note = (*book.notes)[Vertex{v}];
+        if (note.round == round && (note.what & noted_star) != 0 &&
+            complex.vertices[v].stamp != work.epoch) {
+            continue;
         }
-        has_first = has_first || (notes[Vertex{v}].what & noted_first) != 0;
-    }
-    // A star noted earlier may face a vertex that had no note at that time, so it is examined
-    // again.
-    for (const std::uint32_t v : has_first ? work.interface : left) {
-        if (complex.is_alive(Vertex{v}) && gather(complex, work.submesh.region, v, work.star)) {
-            note_star(work, work.star, interface_edges_of(work.star), what, round, book);
+        note_vertex(complex, v, round, book);
+        if (gather(complex, work.submesh.region, v, work.star)) {
+            note_star(work, work.star, interface_edges_of(work.star), curvature, round, book);
         }
     }
 }
@@ -151,11 +125,11 @@ template bool has_notes(const Complex<double>&);
 template bool has_notes(const Complex<float>&);
 template void begin_notes(Complex<double>&);
 template void begin_notes(Complex<float>&);
-template void note_star(const Work<double>&, const Star<double>&, const IncidentEdges&,
-                        const Notability<double>&, std::uint32_t, const Notebook<double>&);
-template void note_star(const Work<float>&, const Star<float>&, const IncidentEdges&,
-                        const Notability<float>&, std::uint32_t, const Notebook<float>&);
-template void note_stars(Work<double>&, const Notability<double>&, std::uint32_t);
-template void note_stars(Work<float>&, const Notability<float>&, std::uint32_t);
+template void note_star(const Work<double>&, const Star<double>&, const IncidentEdges&, double,
+                        std::uint32_t, const Notebook<double>&);
+template void note_star(const Work<float>&, const Star<float>&, const IncidentEdges&, float,
+                        std::uint32_t, const Notebook<float>&);
+template void note_stars(Work<double>&, double, std::uint32_t);
+template void note_stars(Work<float>&, float, std::uint32_t);
 
 } // namespace dsc

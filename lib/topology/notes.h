@@ -11,28 +11,21 @@
 #include "dsc/passes/work.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace dsc {
 
 /// The notes on a star, as bits.
 enum Notable : std::uint32_t {
-    noted_thin = 1U,     ///< `Candidate::is_thin`
-    noted_facing = 2U,   ///< `Candidate::is_facing`
-    noted_sharp = 4U,    ///< `Candidate::is_sharp`
-    noted_junction = 8U, ///< `Candidate::is_junction`
-    /// Two sheets of the interface met at the vertex in this sub-step or an earlier one: see
-    /// films.h.
-    noted_seam = 16U,
-    noted_boundary = 32U, ///< the vertex lies on the domain boundary, along which a film may lie
-    noted_first = 64U,    ///< the vertex had no note in the round before
-    noted_star = 128U,    ///< the star has been examined in this round
-    noted_of_star = noted_thin | noted_facing | noted_sharp | noted_junction,
-    noted_for_ever = noted_seam | noted_boundary, ///< kept from round to round
+    noted_sharp = 1U,    ///< `Candidate::is_sharp`
+    noted_junction = 2U, ///< `Candidate::is_junction`
+    /// Two sheets of the interface met at the vertex in this sub-step or an earlier one; kept from
+    /// round to round.
+    noted_seam = 4U,
+    noted_star = 8U, ///< the star has been examined in this round
 };
 
-/// The note of a vertex. The notes are small, because those of a whole link are read for each star.
+/// The note of a vertex.
 struct Note {
     std::uint32_t round = 0; ///< of the sub-step; 0: none yet
     std::uint32_t what = 0;  ///< bits of `Notable`
@@ -59,24 +52,16 @@ void archive(Archive& archive, NotedPlace<Real>& place) {
 template <class Real>
 [[nodiscard]] bool has_notes(const Complex<Real>& complex);
 /// The notes of a complex, created if there are none yet. A new vertex between two noted ones
-/// counts as noted, and between two on the domain boundary as lying on it. O(1), or O(n) for new
-/// ones.
+/// counts as noted. O(1), or O(n) for new ones.
 template <class Real>
 [[nodiscard]] VertexAttribute<Note>& notes_of(Complex<Real>& complex);
 /// The positions before the sub-step of the vertices noted last. As `notes_of`.
 template <class Real>
 [[nodiscard]] VertexAttribute<NotedPlace<Real>>& places_of(Complex<Real>& complex);
-/// Clears all notes, such as those of an earlier simulation, and notes which vertices are on the
-/// domain boundary. O(n).
+/// Clears all notes, such as those of an earlier simulation, and how far vertices are ahead of the
+/// time. O(n).
 template <class Real>
 void begin_notes(Complex<Real>& complex);
-
-/// The thresholds from which on the properties of a star are noted.
-template <class Real>
-struct Notability {
-    Real contact = 0;   ///< the largest contact distance; 0: nothing is noted
-    Real curvature = 0; ///< curvature from which on the outline may be that of a small piece
-};
 
 /// Every closed curve around an area A has a curvature of sqrt(pi / A) or more somewhere. Half of
 /// that also covers curves that end on the sides of a corner of the domain, and unequal edges.
@@ -92,87 +77,19 @@ struct Notebook {
     VertexAttribute<NotedPlace<Real>>* places; ///< of `places_of`
 };
 
-/// Writes the notes on the star of an interface vertex, which has just been gathered. O(degree).
+/// Writes the notes on the star of an interface vertex, which has just been gathered. `curvature`:
+/// from which on the outline may be that of a small piece. O(1).
 template <class Real>
 void note_star(const Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident,
-               const Notability<Real>& what, std::uint32_t round, const Notebook<Real>& book);
+               Real curvature, std::uint32_t round, const Notebook<Real>& book);
 
 /// Writes the notes of a work's interface vertices: a pass without edits. Skips stars that have
 /// been noted in this round and have not changed since. O(interface vertices of the work), plus the
 /// degrees of those noted here.
 template <class Real>
-void note_stars(Work<Real>& work, const Notability<Real>& what, std::uint32_t round);
+void note_stars(Work<Real>& work, Real curvature, std::uint32_t round);
 
 // --- tests of a star -----------------------------------------------------------------------------
-
-/// True if the smallest height of a triangle of the star is below the contact distance: its area
-/// doubled is the height times the longest edge. In whole lanes; O(degree).
-template <class Real>
-[[nodiscard]] bool has_thin_triangle(const Star<Real>& star, Real contact_squared) {
-    const Real x0 = star.x0;
-    const Real y0 = star.y0;
-    for (std::uint32_t first = 0; first < star.size; first += Star<Real>::lanes) {
-        const Real* x = star.x.data() + first;
-        const Real* y = star.y.data() + first;
-        const Real* x_next = star.x_next.data() + first;
-        const Real* y_next = star.y_next.data() + first;
-        Real smallest = std::numeric_limits<Real>::max();
-#pragma omp simd reduction(min : smallest)
-        for (std::uint32_t i = 0; i < Star<Real>::lanes; ++i) {
-            const Real ax = x[i] - x0;
-            const Real ay = y[i] - y0;
-            const Real bx = x_next[i] - x0;
-            const Real by = y_next[i] - y0;
-            const Real doubled = ax * by - ay * bx;
-            const Real cx = bx - ax;
-            const Real cy = by - ay;
-            const Real longest =
-                std::max(std::max(ax * ax + ay * ay, bx * bx + by * by), cx * cx + cy * cy);
-            smallest = std::min(smallest, doubled * doubled - contact_squared * longest);
-        }
-        if (smallest < 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// Whether a vertex lies on the domain boundary, or was noted in this round or the last one. The
-/// last round counts because a vertex that has just entered another submesh is noted after all
-/// others.
-[[nodiscard]] inline bool is_noted(const Note& note, std::uint32_t round) {
-    return round - note.round <= 1 || (note.what & noted_boundary) != 0;
-}
-
-/// Whether two successive vertices of the link are noted, that is, on the interface: only then can
-/// a triangle bridge a film once the vertices have moved. O(degree).
-template <class Real>
-[[nodiscard]] bool may_face_a_sheet(const VertexAttribute<Note>& notes, std::uint32_t round,
-                                    const Star<Real>& star) {
-    const auto is_noted = [&](std::uint32_t i) {
-        return dsc::is_noted(notes[Vertex{star.link[i]}], round);
-    };
-    // One of two successive vertices has an odd index, unless they close an odd star.
-    const std::uint32_t n = star.link_size();
-    for (std::uint32_t i = 1; i < n; i += 2) {
-        if (is_noted(i) &&
-            (is_noted(i - 1) || (i + 1 < n ? is_noted(i + 1) : star.closed && is_noted(0)))) {
-            return true;
-        }
-    }
-    return star.closed && n % 2 == 1 && is_noted(n - 1) && is_noted(0);
-}
-
-/// Whether an edge of the link lies on the domain boundary. O(degree).
-template <class Real>
-[[nodiscard]] bool faces_boundary(const Complex<Real>& complex, const Star<Real>& star) {
-    for (std::uint32_t i = 0; i < star.size; ++i) {
-        if (is_border(complex.twin(star.corner[i]))) {
-            return true;
-        }
-    }
-    return false;
-}
 
 /// The two edges of a curve at a vertex, as vectors along the curve.
 template <class Real>

@@ -102,8 +102,8 @@ struct TopologyOptions {
 /// The default of `TopologyOptions::contact`, in edge lengths: below 0.15 a seam leaves holes; at
 /// 0.4 it leaves none, and the error of a merged area is of second order.
 inline constexpr double default_contact = 0.4;
-/// Up to this contact distance, in edge lengths (the height of a triangle), films are detected by
-/// single triangles that span them. Wider films are detected by rays across them (wide_films.h).
+/// Up to this contact distance, in edge lengths (the height of a triangle), single triangles span a
+/// film.
 inline constexpr double max_contact_of_triangles = 0.75;
 
 /// Whether a contact distance (a length) is wider than single triangles span.

@@ -8,6 +8,7 @@
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
 #include "dsc/geometry/points.h"
+#include "dsc/motion/time_ahead.h"
 #include "topology/candidates.h"
 #include "topology/events.h"
 #include "topology/notes.h"
@@ -29,6 +30,15 @@ struct Transfer {
     Triangle near;       ///< a triangle there
 };
 
+/// A vertex that did not arrive before the stages changed anything. It may have arrived since, or
+/// another vertex may have its id: then its noted place is another.
+template <class Real>
+struct Missed {
+    std::uint32_t vertex;    ///< its id
+    Point<Real> target;      ///< where it was to go
+    NotedPlace<Real> before; ///< where it came from
+};
+
 template <class Real>
 struct SightScratch; // films/sight.h
 
@@ -39,6 +49,7 @@ struct TopologyWork {
     const TopologyOptions<Real>& options;          ///< of the stage
     Real edge_length;                              ///< of the interface
     double time;                                   ///< of the events
+    Real dt = 1;                                   ///< of the sub-step
     std::vector<Event>& events;                    ///< what happens is appended
     std::span<const std::uint32_t> interface = {}; ///< its vertices
     std::uint32_t round = 0;                       ///< of the notes on them
@@ -51,6 +62,9 @@ struct TopologyWork {
     /// some may now have too many sectors, or slender triangles.
     std::vector<Vertex> touched = {};
     std::vector<Transfer> transfers = {};      ///< recorded if area must be given back
+    std::span<const Missed<Real>> missed = {}; ///< in the movement of this sub-step, ascending
+    /// How far the vertices are ahead of the time.
+    VertexAttribute<TimeAhead<Real>>& ahead = times_ahead_of(complex);
     std::span<SightScratch<Real>> sights = {}; ///< one for each range of places
     double swept = 0; ///< area, by merged junctions; the next event reports it
     /// The candidates that were blocked before the change, ascending.
@@ -61,6 +75,14 @@ struct TopologyWork {
 template <class Real>
 [[nodiscard]] bool may_lack_notes(const TopologyWork<Real>& work) {
     return work.is_again || !work.touched.empty();
+}
+
+/// Whether the domain ends at the vertex. O(degree).
+template <class Real>
+[[nodiscard]] bool is_on_boundary(const Complex<Real>& complex, Vertex v) {
+    return find_corner(complex, v, [&](Corner c) {
+               return is_border(complex.twin(next(c))) || is_border(complex.twin(prev(c)));
+           }) != no_id;
 }
 
 /// Whether the half-edge has another phase, or the outside of the domain, on its right. O(1).
@@ -75,6 +97,14 @@ template <class Real>
     return is_interface_pair(complex.phase_at(c), complex.phase_at(complex.twin(c)));
 }
 
+/// Whether more than two sheets meet at the vertex. O(degree).
+template <class Real>
+[[nodiscard]] bool is_junction(const Complex<Real>& complex, Vertex v) {
+    int sheets = 0;
+    for_each_corner(complex, v, [&](Corner c) { sheets += is_sheet(complex, prev(c)) ? 1 : 0; });
+    return sheets > 2;
+}
+
 /// Whether fronts of different phases that displace this one meet in points (meeting.h): those that
 /// grow into the exterior do. A thin phase among others is a grain that vanishes; it is relabelled.
 [[nodiscard]] constexpr bool meet_in_points(Phase film) { return film == exterior_phase; }
@@ -83,6 +113,30 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Phase phase_beyond(const Complex<Real>& complex, Corner c) {
     return complex.phase_at(complex.twin(c));
+}
+
+/// The contact distance of two phases; 0 if their interface must stay. O(pairs).
+template <class Real>
+[[nodiscard]] Real contact_of(const TopologyWork<Real>& work, Phase one, Phase other) {
+    const auto rule = rule_of(work.options, work.edge_length, one, other);
+    return rule.rule == Topology::change ? rule.contact : Real(0);
+}
+
+/// The contact distance at a half-edge; 0 if it must stay, as the domain boundary does. O(pairs).
+template <class Real>
+[[nodiscard]] Real contact_at(const TopologyWork<Real>& work, Corner sheet) {
+    const Phase beyond = phase_beyond(work.complex, sheet);
+    return beyond != border_phase && beyond != work.complex.phase_at(sheet)
+               ? contact_of(work, work.complex.phase_at(sheet), beyond)
+               : Real(0);
+}
+
+/// A contact distance as single triangles span it: the default instead of a wide one.
+template <class Real>
+[[nodiscard]] Real within_triangles(const TopologyWork<Real>& work, Real contact) {
+    return is_wide(contact, work.edge_length)
+               ? static_cast<Real>(default_contact) * work.edge_length
+               : contact;
 }
 
 /// The next half-edge along the outline of the phase on the left.
@@ -207,6 +261,15 @@ void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
         flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_feature);
         work.touched.push_back(v);
     }
+}
+
+/// Forgets the area that curves swept in landing on a side, and the transfers from this one on: the
+/// flow itself would have moved the vertex there.
+template <class Real>
+void forget_landing(TopologyWork<Real>& work, std::size_t transfers) {
+    work.transfers.erase(work.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
+                         work.transfers.end());
+    work.swept = 0;
 }
 
 } // namespace dsc

@@ -24,7 +24,7 @@ void TopologyStage<Real>::set_options(TopologyOptions<Real> options) {
         check_contact<Real>(*complex_, options, edge_length_);
     }
     options_ = std::move(options);
-    find_notability();
+    find_curvature();
 }
 
 template <class Real>
@@ -43,24 +43,22 @@ void TopologyStage<Real>::begin(Complex<Real>& complex, const Options<Real>& opt
     notes_ = &notes_of(complex);
     places_ = &places_of(complex);
     edge_length_ = options.edge_length;
-    find_notability();
+    find_curvature();
 }
 
-// Derives from the options what makes a star notable.
 template <class Real>
-void TopologyStage<Real>::find_notability() {
-    notable_ = {.contact = largest_contact(options_, edge_length_),
-                .curvature = curvature_around(min_area(options_, edge_length_))};
+void TopologyStage<Real>::find_curvature() {
+    curvature_ = options_.changes() ? curvature_around(min_area(options_, edge_length_)) : Real(0);
 }
 
 template <class Real>
 std::optional<Pass<Real>> TopologyStage<Real>::pass() {
     return Pass<Real>{
-        "notes for the topology", [this](Work<Real>& work) { note_stars(work, notable_, round_); },
-        true,
+        "notes for the topology",
+        [this](Work<Real>& work) { note_stars(work, curvature_, round_); }, true,
         [this](Work<Real>& work, const Star<Real>& star, const IncidentEdges& incident) {
-            if (notable_.contact > 0) {
-                note_star(work, star, incident, notable_, round_, {notes_, places_});
+            if (curvature_ > 0) {
+                note_star(work, star, incident, curvature_, round_, {notes_, places_});
             }
         }};
 }
@@ -79,47 +77,42 @@ void TopologyStage<Real>::run_again(const Between<Real>& between) {
 template <class Real>
 void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t round,
                                     bool is_again) {
-    if (notable_.contact == 0) {
+    if (curvature_ == 0) {
         return;
     }
     const Complex<Real>& complex = between.complex;
-    const auto what = [&](std::uint32_t v) {
+    candidates_.clear();
+    const auto look = [&](std::uint32_t v, std::vector<Candidate>& found) {
         const Note note = (*notes_)[Vertex{v}];
-        return note.round == round ? note.what & noted_of_star : 0U;
-    };
-    const auto is_blocked = [&](std::uint32_t v) {
-        return (complex.vertices[v].flags & vertex_contact) != 0;
-    };
-    // Films wider than a triangle are searched from every interface vertex.
-    const bool is_notable = is_wide(notable_.contact, edge_length_) ||
-                            std::ranges::any_of(between.interface, [&](std::uint32_t v) {
-                                return (what(v) & (noted_facing | noted_sharp)) != 0;
-                            });
-    candidates_.resize(is_notable ? between.interface.size() : 0);
-    const auto look = [&](std::size_t /*range*/, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t v = between.interface[i];
-            const std::uint32_t bits = what(v);
-            // A blocked vertex may by now lie opposite another sheet; treat it as facing.
-            candidates_[i] = {.vertex = bits != 0 ? v : no_id,
-                              .is_thin = (bits & noted_thin) != 0,
-                              .is_facing = (bits & noted_facing) != 0 || is_blocked(v),
-                              .is_sharp = (bits & noted_sharp) != 0,
-                              .is_junction = (bits & noted_junction) != 0};
+        const std::uint32_t bits = note.round == round ? note.what : 0U;
+        const bool is_blocked = (complex.vertices[v].flags & vertex_contact) != 0;
+        if ((bits & (noted_sharp | noted_junction)) != 0 || is_blocked) {
+            found.push_back({.vertex = v,
+                             .is_sharp = (bits & noted_sharp) != 0,
+                             .is_junction = (bits & noted_junction) != 0,
+                             .is_blocked = is_blocked});
         }
     };
-    look_in_ranges(between.in_shares, candidates_.size(), look);
+    find_at(between.in_shares, between.interface, candidates_, look);
     sights_.resize(ranges_of_places);
-    std::erase_if(candidates_, [](const auto& candidate) { return candidate.vertex == no_id; });
+    if (!is_again) {
+        missed_.clear();
+        for (const MovingVertex<Real>& one : between.missed) {
+            missed_.push_back({one.vertex, {one.x, one.y}, (*places_)[Vertex{one.vertex}]});
+        }
+        std::ranges::sort(missed_, {}, &Missed<Real>::vertex);
+    }
     area_ += change_topology<Real>({.complex = between.complex,
                                     .options = options_,
                                     .edge_length = edge_length_,
                                     .time = static_cast<double>(between.time),
+                                    .dt = between.dt,
                                     .events = events_,
                                     .interface = between.interface,
                                     .round = round,
                                     .is_again = is_again,
                                     .in_shares = between.in_shares,
+                                    .missed = missed_,
                                     .sights = sights_},
                                    candidates_);
 }

@@ -10,6 +10,7 @@
 #include "topology/films/sight.h"
 #include "topology/notes.h"
 #include "topology/options.h"
+#include "topology/region.h"
 
 #include <utility>
 #include <vector>
@@ -50,7 +51,7 @@ public:
     void archive(Archive& archive) override;
 
 private:
-    void find_notability();
+    void find_curvature();
     void run_round(const Between<Real>& between, std::uint32_t round, bool is_again);
 
     TopologyOptions<Real> options_;
@@ -58,10 +59,11 @@ private:
     VertexAttribute<Note>* notes_ = nullptr;
     VertexAttribute<NotedPlace<Real>>* places_ = nullptr;
     Real edge_length_ = 0;
-    Notability<Real> notable_;
-    std::uint32_t round_ = 2;                ///< of the next notes; 0: a vertex without a note
-    std::vector<Candidate> candidates_;      ///< scratch of run
+    Real curvature_ = 0;                ///< from which on a star is noted; 0: no topology changes
+    std::uint32_t round_ = 2;           ///< of the next notes; 0: a vertex without a note
+    std::vector<Candidate> candidates_; ///< scratch of run
     std::vector<SightScratch<Real>> sights_; ///< scratch of run
+    std::vector<Missed<Real>> missed_;       ///< of this sub-step
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these
     AreaAccount area_;

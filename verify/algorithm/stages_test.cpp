@@ -7,11 +7,14 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/rewire.h"
+#include "dsc/motion/time_ahead.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/phases.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -116,6 +119,39 @@ TEST(Stages, TakeTheTargetFromAVertexThatTheyTakeOffAPhase) {
     });
     send_through(stage, 0);
     EXPECT_EQ(stage->again, 0);
+}
+
+// A vertex that a stage puts where it will be later waits for the time to come; one that is late
+// makes up for it.
+TEST(Stages, MayPutAVertexAheadOfTheTime) {
+    Complex<double> complex = disc();
+    Simulation<double> simulation(complex, {.edge_length = disc_h, .sub_step = 1});
+    const std::vector<std::uint32_t> interface = simulation.interface();
+    const std::array vertices{Vertex{interface[0]}, Vertex{interface[5]}, Vertex{interface[10]}};
+    const double dt = 0.4 * disc_h;
+    bool is_first = true;
+    simulation.add_stage(std::make_shared<Editing>([&](const Between<double>& between) {
+        if (std::exchange(is_first, false)) {
+            times_ahead_of(between.complex)[vertices[0]].time = 1.75 * dt;
+            times_ahead_of(between.complex)[vertices[1]].time = -0.5 * dt;
+        }
+    }));
+    const Velocity<double> right = [](auto positions, double, auto velocities) {
+        std::ranges::fill(velocities.subspan(0, positions.size()), Point<double>(1, 0));
+    };
+    const std::array<std::array<double, 3>, 4> ways{
+        {{1, 1, 1}, {0, 1.5, 1}, {0.25, 1, 1}, {1, 1, 1}}}; // of dt, in each step
+    for (std::size_t step = 0; step < ways.size(); ++step) {
+        std::array<Point<double>, 3> before;
+        std::ranges::transform(vertices, before.begin(),
+                               [&](Vertex v) { return complex.position(v); });
+        EXPECT_EQ(simulation.step(right, static_cast<double>(step) * dt, dt).unreached, 0U);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point<double> way = complex.position(vertices[i]) - before[i];
+            EXPECT_NEAR(way.x(), ways[step][i] * dt, 1e-15) << step << ", " << i;
+            EXPECT_EQ(way.y(), 0) << step << ", " << i;
+        }
+    }
 }
 
 } // namespace

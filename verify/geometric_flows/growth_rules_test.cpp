@@ -123,6 +123,21 @@ TEST(GrowthRules, AJunctionMovesWithTheSheetsThatMeetThere) {
     EXPECT_NEAR(phase_area(complex, 2), 0.6 * 0.6, 1e-12);
 }
 
+TEST(GrowthRules, TwoFrontsSayWhereTheirSeamGoesOnWhateverItsDirection) {
+    // Two fronts that meet at the bottom of a valley, from which a seam leads down to the left.
+    const Point<double> end(0.5, 0.4);
+    const std::vector<Curve> curves{
+        {{{0, 0.7}, end}, 0, 1}, {{end, {1, 0.7}}, 0, 2}, {{{0.3, 0}, end}, 1, 2}};
+    auto complex = initial_complex<double>({{0, 0}, {1, 1}}, curves, {.edge_length = 0.02});
+    GrowingShape growing(complex, 0.02, {.speeds = {{1, 0, 1.0}, {2, 0, 1.0}}});
+    constexpr double time = 0.1;
+    EXPECT_EQ(growing.run(0, time), 0U);
+    test::expect_sound(complex, growing.simulation());
+    const double up = time * std::hypot(0.5, 0.3) / 0.5; // of the end of the seam, and of the sides
+    EXPECT_NEAR(phase_area(complex, 1), 0.235 + 0.5 * up, 6e-4);
+    EXPECT_NEAR(phase_area(complex, 2), 0.315 + 0.5 * up, 6e-4);
+}
+
 TEST(GrowthRules, PhasesWithoutASpeedStay) {
     auto complex = complex_of(small_square, 0.02);
     GrowingShape growing(complex, 0.02, {});

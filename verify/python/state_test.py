@@ -110,7 +110,7 @@ class ASimulation(unittest.TestCase):
         made.append(dsc.Fluid(made[1], {0: (1, 1), 1: (1, 1)}, {(0, 1): 0}))
         for one in made:
             make, (*parts, state) = one.__reduce__()
-            for old, sentence in ((state[:8] + b"\1" + state[9:], "version 1 of its layout, not 3: read it with the pr"),
+            for old, sentence in ((state[:8] + b"\1" + state[9:], "version 1 of its layout, not 4: read it with the pr"),
                                   (dsc._dsc.sealed(pickle.dumps(("a", "tuple"))), "written by another version of dsc")):
                 with self.assertRaisesRegex(dsc.FileError, sentence):
                     make(*parts, old)

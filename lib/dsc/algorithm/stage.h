@@ -10,6 +10,7 @@
 #include "dsc/base/archive.h"
 #include "dsc/motion/interface_flow.h"
 #include "dsc/passes/algorithm.h"
+#include "dsc/passes/deferred.h"
 
 #include <cstdint>
 #include <optional>
@@ -29,7 +30,9 @@ struct Between {
     Real time;                                ///< at the end of the sub-step
     Real dt;                                  ///< the duration of the sub-step
     std::uint64_t unreached;                  ///< vertices that did not arrive in it
-    const InShares& in_shares;                ///< the threads of the step, for parallel reading
+    /// Those that are still to be moved, with their targets.
+    std::span<const MovingVertex<Real>> missed;
+    const InShares& in_shares; ///< the threads of the step, for parallel reading
 };
 
 /// A stage of a simulation. Runs on the thread that calls `Simulation::step`, which rethrows its

@@ -275,6 +275,7 @@ bool Simulation<Real>::run_each_stage(Real time, Real dt, std::uint64_t unreache
                                     .time = time,
                                     .dt = dt,
                                     .unreached = unreached,
+                                    .missed = executor_->missed(),
                                     .in_shares = executor_->in_shares()};
         if (is_again) {
             stage->run_again(between);

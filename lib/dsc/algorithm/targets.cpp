@@ -2,6 +2,7 @@
 #include "dsc/algorithm/sub_step.h"
 
 #include "dsc/base/room.h"
+#include "dsc/motion/time_ahead.h"
 #include "dsc/passes/work.h"
 
 #include <cmath>
@@ -121,18 +122,38 @@ TargetReport<Real> targets_along(Work<Real>& work, const Velocity<Real>& velocit
     return report;
 }
 
+namespace {
+
+// A vertex that is ahead moves for the rest of the sub-step.
+template <class Real>
+void wait(TimeAhead<Real>& ahead, Real dt, const Point<Real>& position, Point<Real>& target) {
+    ahead.share = Real(1);
+    if (ahead.time != 0) {
+        ahead.share = std::max(1 - ahead.time / dt, Real(0));
+        ahead.time = std::max(ahead.time - dt, Real(0));
+        target = position + ahead.share * (target - position);
+    }
+}
+
+} // namespace
+
 template <class Real>
 std::uint64_t collect_moving_vertices(Work<Real>& work) {
     const Trajectory<Real>& trajectory = work.trajectory;
     if (work.options.custom_integrator && !work.interface.empty()) {
         work.options.custom_integrator->accept(step_of(work));
     }
+    VertexAttribute<TimeAhead<Real>>* const ahead =
+        work.complex.attributes.contains(time_ahead_name) ? &times_ahead_of(work.complex) : nullptr;
     std::uint64_t held = 0;
     std::uint32_t next_star = 0;
     for (std::size_t i = 0; i < work.interface.size(); ++i) {
         const std::uint32_t v = work.interface[i];
         const std::uint32_t star = star_of(work, v, next_star);
-        const Point<Real>& target = trajectory.targets[i];
+        Point<Real> target = trajectory.targets[i];
+        if (ahead != nullptr) {
+            wait((*ahead)[Vertex{v}], trajectory.dt, trajectory.positions[i], target);
+        }
         if (trajectory.held[i] != 0 || work.complex.is_locked(Vertex{v})) {
             continue;
         }

@@ -13,7 +13,7 @@
 namespace dsc::scenes {
 
 /// Raise the version with every change of the format.
-inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 12};
+inline const SealedKind checkpoint_kind{.name = "dsc-run", .version = 13};
 
 /// The command line of a run: enough to start it again.
 struct RunOrigin {

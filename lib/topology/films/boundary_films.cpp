@@ -4,8 +4,7 @@
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/bridge.h"
-#include "topology/films/film_ray.h"
+#include "topology/films/facing.h"
 #include "topology/films/film_region.h"
 
 #include <algorithm>
@@ -27,115 +26,59 @@ constexpr double length_of_wedge = 1.5;
 constexpr double same_film = 12;
 /// A foot counts as near an end of a boundary edge up to this share of the edge.
 constexpr double near_foot = 0.25;
-/// An interface edge near the domain boundary, with the film on its left.
-template <class Real>
-struct BoundaryChord {
-    Corner sheet;
-    FilmRay<Real> ray;
-    bool is_first = true; ///< no other chord precedes it along the outline
-};
 
 template <class Real>
 class BoundaryFilms {
 public:
-    BoundaryFilms(TopologyWork<Real>& work, std::span<const Candidate> candidates)
-        : work_(work), complex_(work.complex), candidates_(candidates) {}
+    BoundaryFilms(TopologyWork<Real>& work, std::vector<Chord<Real>> chords)
+        : work_(work), complex_(work.complex), chords_(std::move(chords)) {}
 
     void run() {
-        do {
-            find_chords();
-            visit_runs();
-        } while (is_refined_);
+        index_chords();
+        while (visit_runs()) { // the chords are found anew where the mesh was refined
+            chords_ = find_chords(work_).list;
+            index_chords();
+        }
     }
 
 private:
-    // Visits runs of chords until the mesh is refined.
-    void visit_runs() {
+    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
+
+    void index_chords() {
+        std::erase_if(chords_,
+                      [](const Chord<Real>& chord) { return chord.ray.boundary == no_id; });
+        index_.clear();
+        for (std::size_t i = 0; i < chords_.size(); ++i) {
+            index_.emplace(chords_[i].sheet, i);
+        }
+    }
+
+    // Visits runs of chords until the mesh is refined; returns whether it was.
+    bool visit_runs() {
+        std::vector<bool> is_first(chords_.size(), true); // no other chord precedes it
+        for (const auto& chord : chords_) {
+            const auto following = index_.find(along_outline(complex_, chord.sheet));
+            if (following != index_.end()) {
+                is_first[following->second] = false;
+            }
+        }
+        is_refined_ = false;
         for (const bool starts : {true, false}) { // remaining chords lie on closed curves
             for (std::size_t i = 0; i < chords_.size() && !is_refined_; ++i) {
-                if (chords_[i].is_first == starts && index_.contains(chords_[i].sheet)) {
+                if (is_first[i] == starts && index_.contains(chords_[i].sheet)) {
                     visit_run(i);
                 }
             }
         }
-    }
-
-    [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
-
-    // --- films ----------------------------------------------------------------------------------
-    // Finds the chords, in the order of their positions. Nearly always there are none, and nothing
-    // is allocated.
-    void find_chords() {
-        chords_.clear();
-        index_.clear();
-        is_refined_ = false;
-        const auto look = [this](const Candidate& candidate, auto& found) {
-            if (!complex_.is_alive(Vertex{candidate.vertex})) {
-                return;
-            }
-            (void)find_corner(complex_, Vertex{candidate.vertex}, [&](Corner c) {
-                const Corner leaves = prev(c); // the half-edge that starts at the vertex
-                const Corner across = complex_.twin(leaves);
-                if (!is_border(across) && is_sheet(complex_, leaves)) {
-                    add_chord(leaves, found);
-                    if (!is_candidate(complex_.vertex(next(c)))) { // a candidate adds its own
-                        add_chord(across, found);
-                    }
-                }
-                return false; // visits all corners
-            });
-        };
-        find_at(work_.in_shares, candidates_, chords_, look);
-        std::ranges::sort(chords_, {}, [this](const BoundaryChord<Real>& chord) {
-            const Point<Real> place = centroid(complex_, Triangle{triangle_of(chord.sheet)});
-            return std::tuple(place.x(), place.y(), chord.sheet);
-        });
-        for (std::size_t i = 0; i < chords_.size(); ++i) {
-            index_.emplace(chords_[i].sheet, i);
-        }
-        for (const auto& chord : chords_) {
-            const auto following = index_.find(along_outline(complex_, chord.sheet));
-            if (following != index_.end()) {
-                chords_[following->second].is_first = false;
-            }
-        }
-    }
-
-    void add_chord(Corner sheet, std::vector<BoundaryChord<Real>>& chords) const {
-        if (const FilmRay<Real> ray = ray_of(sheet); ray.boundary != no_id) {
-            chords.push_back({sheet, ray});
-        }
-    }
-
-    [[nodiscard]] bool is_candidate(std::uint32_t v) const {
-        const std::uint32_t slot = complex_.vertices[v].slot;
-        return slot < candidates_.size() && candidates_[slot].vertex == v;
-    }
-
-    // The ray from the sheet to the domain boundary, if that is within the contact distance.
-    [[nodiscard]] FilmRay<Real> ray_of(Corner sheet) const {
-        const Real contact = contact_of(sheet);
-        if (!(contact > 0)) {
-            return {};
-        }
-        const FilmRay<Real> ray = cross_film(complex_, sheet, contact, [](Triangle, Real, Real) {});
-        return ray.boundary != no_id && faces(complex_, sheet, ray.boundary) ? ray
-                                                                             : FilmRay<Real>{};
-    }
-
-    // The contact distance at a sheet, however wide; 0 where the topology is kept.
-    [[nodiscard]] Real contact_of(Corner sheet) const {
-        const auto rule = rule_of(work_.options, work_.edge_length, complex_.phase_at(sheet),
-                                  phase_beyond(complex_, sheet));
-        return rule.rule == Topology::change ? rule.contact : Real(0);
+        return is_refined_;
     }
 
     // Opens the film of a run of successive chords, unless the curve ends on the domain boundary
-    // nearby: they are then the wedge there.
+    // nearby: they are then the wedge there, of which only what is pressed opens.
     void visit_run(std::size_t first) {
-        std::vector<BoundaryChord<Real>> run;
+        std::vector<Chord<Real>> run;
         for (auto at = index_.find(chords_[first].sheet); at != index_.end();) {
-            const BoundaryChord<Real>& chord = chords_[at->second];
+            const Chord<Real>& chord = chords_[at->second];
             index_.erase(at);
             if (!is_sheet(complex_, chord.sheet)) {
                 break; // another film has opened here
@@ -146,21 +89,24 @@ private:
         if (run.empty()) {
             return;
         }
-        const Real contact = contact_of(run.front().sheet);
+        const Real contact = contact_at(work_, run.front().sheet);
         const Real nearest = contact > 0
                                  ? std::min(way_to_end(run.back().sheet, contact),
                                             way_to_end(complex_.twin(run.front().sheet), contact))
                                  : Real(0);
         const Real near = static_cast<Real>(length_of_wedge) * contact + work_.edge_length;
-        // The chord is pressed if both its vertices are blocked: stuck in several sub-steps, or
+        // The chord is pressed if both its vertices are stuck in several sub-steps, or if one is
         // blocked now at a place where no vertex lands.
-        const auto is_pressed = [&](const BoundaryChord<Real>& chord) {
+        const auto is_pressed = [&](const Chord<Real>& chord) {
             const Corner c = chord.sheet;
-            return is_stuck(c) || (is_blocked(work_, complex_.vertex(next(c))) &&
-                                   is_blocked(work_, complex_.vertex(prev(c))) &&
+            return is_stuck(c) || ((is_blocked(work_, complex_.vertex(next(c))) ||
+                                    is_blocked(work_, complex_.vertex(prev(c)))) &&
                                    !is_to_land(c, near) && !is_to_land(complex_.twin(c), near));
         };
-        if (!(contact > 0) || (nearest < near && std::ranges::none_of(run, is_pressed))) {
+        if (nearest < near) {
+            std::erase_if(run, [&](const Chord<Real>& chord) { return !is_pressed(chord); });
+        }
+        if (!(contact > 0) || run.empty()) {
             return;
         }
         open(run, std::isfinite(nearest) ? EventKind::widen : EventKind::meet);
@@ -168,13 +114,13 @@ private:
 
     // Whether a chord may still open: a film that opened before it may have taken its edge, or the
     // film.
-    [[nodiscard]] bool opens(BoundaryChord<Real>& chord) const {
+    [[nodiscard]] bool opens(Chord<Real>& chord) const {
         if (!is_sheet(complex_, chord.sheet) || is_border(complex_.twin(chord.sheet))) {
             return false;
         }
-        chord.ray = ray_of(chord.sheet);
-        return chord.ray.boundary != no_id &&
-               (work_.options.opening != Opening::squeezed || is_squeezed_to_boundary(chord));
+        chord = find_chord(work_, chord.sheet);
+        return chord.ray.boundary != no_id && (work_.options.opening != Opening::squeezed ||
+                                               is_squeezed(work_, chord.sheet, chord.ray.boundary));
     }
 
     // Whether both ends of the sheet have been blocked repeatedly.
@@ -219,34 +165,6 @@ private:
         return false;
     }
 
-    // Whether the film is squeezed, as between two sheets of which the second is the mirror image
-    // of the first in the domain boundary.
-    [[nodiscard]] bool is_squeezed_to_boundary(const BoundaryChord<Real>& chord) const {
-        const Point<Real> foot = at(complex_.vertex(next(chord.ray.boundary)));
-        const Point<Real> along = direction(complex_, chord.ray.boundary).normalized();
-        std::array<Point<Real>, 4> now;
-        std::array<Point<Real>, 4> then;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const std::uint32_t v = complex_.vertex(i == 0 ? next(chord.sheet) : prev(chord.sheet));
-            const auto& record = complex_.vertices[v];
-            if ((record.flags & vertex_contact) != 0) {
-                return true; // blocked by the domain boundary, even if for the first time
-            }
-            if (record.slot >= candidates_.size() || candidates_[record.slot].vertex != v) {
-                return false;
-            }
-            const auto of_boundary = [&](const Point<Real>& p) {
-                const Point<Real> from = p - foot;
-                return Point<Real>(-along.dot(from), -cross<Real>(along, from));
-            };
-            now[i] = of_boundary({record.x, record.y});
-            then[i] = of_boundary(place_before(work_, v));
-            now[3 - i] = {now[i].x(), 0};
-            then[3 - i] = {then[i].x(), 0};
-        }
-        return is_squeezed(then, now);
-    }
-
     // A sheet, named by its two ends, because splits change the corners of half-edges.
     using Sheet = std::array<Vertex, 2>;
     [[nodiscard]] Corner half_edge(const Sheet& sheet) const {
@@ -273,7 +191,7 @@ private:
     // vertex is near it.
     bool split_below(const Sheet& one, const Sheet& other) {
         for (const Sheet& sheet : {one, other}) {
-            const Corner boundary = ray_of(half_edge(sheet)).boundary;
+            const Corner boundary = find_chord(work_, half_edge(sheet)).ray.boundary;
             if (boundary == no_id) {
                 continue;
             }
@@ -291,20 +209,20 @@ private:
     // Opens the film along a run of chords. Its outline continues across junctions, and the phases
     // beyond divide the film; each part is a separate event, with its own question to the
     // application.
-    void open(std::vector<BoundaryChord<Real>> run, EventKind kind) {
-        std::erase_if(run, [this](BoundaryChord<Real>& chord) { return !opens(chord); });
+    void open(std::vector<Chord<Real>> run, EventKind kind) {
+        std::erase_if(run, [this](Chord<Real>& chord) { return !opens(chord); });
         if (run.empty()) {
             return;
         }
         const Phase film = complex_.phase_at(run.front().sheet);
         Real contact = 0;
-        for (const BoundaryChord<Real>& chord : run) {
-            contact = std::max(contact, contact_of(chord.sheet));
+        for (const Chord<Real>& chord : run) {
+            contact = std::max(contact, contact_at(work_, chord.sheet));
         }
         std::vector<Event> events;
         std::vector<Phase> refused;
         std::vector<Sheet> sheets;
-        for (std::span<BoundaryChord<Real>> rest = run; !rest.empty();) {
+        for (std::span<Chord<Real>> rest = run; !rest.empty();) {
             const Phase taker = phase_beyond(complex_, rest.front().sheet);
             const auto others =
                 std::stable_partition(rest.begin(), rest.end(), [&](const auto& chord) {
@@ -313,7 +231,7 @@ private:
             const std::span part(rest.begin(), others);
             rest = {others, rest.end()};
             const auto& thinnest = *std::ranges::min_element(
-                part, {}, [](const BoundaryChord<Real>& chord) { return chord.ray.thickness; });
+                part, {}, [](const Chord<Real>& chord) { return chord.ray.thickness; });
             const Event event{.kind = kind,
                               .time = work_.time,
                               .x = static_cast<double>(thinnest.ray.middle.x()),
@@ -328,7 +246,7 @@ private:
                 refused.push_back(taker);
                 continue;
             }
-            for (const BoundaryChord<Real>& chord : part) {
+            for (const Chord<Real>& chord : part) {
                 sheets.push_back({Vertex{complex_.vertex(next(chord.sheet))},
                                   Vertex{complex_.vertex(prev(chord.sheet))}});
             }
@@ -339,11 +257,18 @@ private:
         for (const Sheet& sheet : sheets) {
             region.add_ray(half_edge(sheet));
         }
-        region.fill([&](Triangle t, Phase to) { return may_take(t, to, kind, events, refused); });
+        const auto asked = [&](Triangle t, Phase to) {
+            return may_take(t, to, kind, events, refused);
+        };
+        region.fill(asked);
         region.smooth();
+        region.fill_notches();
+        region.divide(asked);
         for (Event& event : events) {
             event.area = region.area_of(event.taken[0]);
-            work_.events.push_back(event);
+            if (event.area > 0) { // another front may have been there first
+                work_.events.push_back(event);
+            }
         }
         region.give_all();
     }
@@ -380,20 +305,21 @@ private:
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    std::span<const Candidate> candidates_;
-    std::vector<BoundaryChord<Real>> chords_;
+    std::vector<Chord<Real>> chords_;               ///< to the domain boundary
     std::unordered_map<Corner, std::size_t> index_; ///< the chords still to be visited
-    bool is_refined_ = false;                       ///< the chords must be found anew
+    bool is_refined_ = false;
 };
 
 } // namespace
 
 template <class Real>
-void open_boundary_films(TopologyWork<Real>& work, std::span<const Candidate> candidates) {
-    BoundaryFilms<Real>(work, candidates).run();
+void open_boundary_films(TopologyWork<Real>& work, std::vector<Chord<Real>> chords) {
+    if (!chords.empty()) {
+        BoundaryFilms<Real>(work, std::move(chords)).run();
+    }
 }
 
-template void open_boundary_films(TopologyWork<double>&, std::span<const Candidate>);
-template void open_boundary_films(TopologyWork<float>&, std::span<const Candidate>);
+template void open_boundary_films(TopologyWork<double>&, std::vector<Chord<double>>);
+template void open_boundary_films(TopologyWork<float>&, std::vector<Chord<float>>);
 
 } // namespace dsc

@@ -6,16 +6,16 @@
 // matter of landing.h.
 #pragma once
 
-#include "topology/candidates.h"
+#include "topology/films/chords.h"
 #include "topology/region.h"
 
-#include <span>
+#include <vector>
 
 namespace dsc {
 
-/// Opens films along the domain boundary at the candidates, in an order that depends only on
-/// positions. O(candidates * contact / edge length).
+/// Opens films along the domain boundary that the chords to it cross, in their order; other chords
+/// are left out. O(chords * contact / edge length).
 template <class Real>
-void open_boundary_films(TopologyWork<Real>& work, std::span<const Candidate> candidates);
+void open_boundary_films(TopologyWork<Real>& work, std::vector<Chord<Real>> chords);
 
 } // namespace dsc

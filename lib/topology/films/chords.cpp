@@ -1,26 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/chords.h"
 
-#include "topology/films/bridge.h"
+#include "topology/films/facing.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace dsc {
 
 namespace {
 
-/// Two sheets that meet along the outline within this many contact distances are the end of a
-/// filament rather than its two sides.
+/// Lengths along the outline, in contact lengths, or in edge lengths where those are longer. Two
+/// sheets that meet within this length are the end of a filament rather than its two sides.
 constexpr double filament_end = 6;
-/// Up to this many contact distances, a sheet is beside the end of a filament.
+/// Up to this length, a sheet is beside the end of a filament.
 constexpr double beside_end = 1.25 * filament_end;
-/// Up to this many contact distances, two sheets belong to the end of a seam, which crosses the
-/// film.
+/// Up to this length, two sheets belong to the end of a seam, which crosses the film.
 constexpr double end_of_seam = 3;
+
+/// A relative slack of squared lengths, larger than their rounding errors.
+constexpr double length_slack = 1e-3;
+
+// Whether the ray of the half-edge is longer than the root of `squared` when it leaves its first
+// triangle, as nearly all rays are. Without roots and divisions.
+template <class Real>
+bool leaves_late(const Complex<Real>& complex, Corner sheet, Real squared) {
+    const Point<Real> along = direction(complex, sheet);
+    const Point<Real> way(-along.y(), along.x());
+    const Point<Real> to_apex = -direction(complex, prev(sheet)) - along / Real(2);
+    const bool is_first = cross<Real>(way, to_apex) > 0;
+    const Point<Real> edge = direction(complex, is_first ? next(sheet) : prev(sheet));
+    // From the middle of the half-edge to the start of that edge.
+    const Point<Real> start = is_first ? Point<Real>(along / Real(2)) : to_apex;
+    const Real doubled = cross<Real>(start, edge);
+    const Real share = cross<Real>(way, edge);
+    return doubled * doubled * along.squaredNorm() > squared * share * share;
+}
 
 template <class Real>
 struct Way {
@@ -73,74 +93,91 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-// The sheets of all chords, each once, in the order of their positions.
-template <class Real>
-std::vector<std::array<Corner, 2>> all_chords(const TopologyWork<Real>& work,
-                                              std::span<const Candidate> candidates) {
-    const Complex<Real>& complex = work.complex;
-    std::vector<std::tuple<Real, Real, std::array<Corner, 2>>> found;
-    const auto look = [&](const Candidate& candidate, auto& chords) {
-        if (!complex.is_alive(Vertex{candidate.vertex})) {
-            return;
-        }
-        (void)find_corner(complex, Vertex{candidate.vertex}, [&](Corner at) {
-            const Corner sheet = prev(at); // the half-edge that starts at the vertex
-            const Chord<Real> chord =
-                is_sheet(complex, sheet) ? find_chord(work, sheet) : Chord<Real>{};
-            if (chord.ray.opposite != no_id) {
-                chords.emplace_back(chord.ray.middle.x(), chord.ray.middle.y(),
-                                    std::array{sheet, chord.ray.opposite});
-            }
-            return false; // all of them, in any order
-        });
-    };
-    find_at(work.in_shares, candidates, found, look);
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    std::vector<std::array<Corner, 2>> list;
-    for (const auto& one : found) {
-        list.push_back(std::get<2>(one));
-    }
-    return list;
-}
-
 } // namespace
 
 template <class Real>
-Real wide_contact_at(const TopologyWork<Real>& work, Corner sheet) {
-    const Complex<Real>& complex = work.complex;
-    if (is_border(complex.twin(sheet))) {
-        return 0; // the domain boundary is no sheet
-    }
-    const auto rule = rule_of(work.options, work.edge_length, complex.phase_at(sheet),
-                              complex.phase_at(complex.twin(sheet)));
-    return rule.rule == Topology::change && is_wide(rule.contact, work.edge_length) ? rule.contact
-                                                                                    : Real(0);
-}
-
-template <class Real>
 Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
-    const Real contact = wide_contact_at(work, sheet);
+    const Complex<Real>& complex = work.complex;
+    const Real contact = contact_at(work, sheet);
     if (!(contact > 0)) {
         return {sheet, {}};
     }
-    const FilmRay<Real> ray = cross_film(work.complex, sheet, contact, [](Triangle, Real, Real) {});
-    const bool is_chord = ray.opposite != no_id && faces(work.complex, sheet, ray.opposite) &&
-                          ray.thickness < wide_contact_at(work, ray.opposite);
+    const FilmRay<Real> ray = cross_film(complex, sheet, contact, [](Triangle, Real, Real) {});
+    const Corner end = ray.opposite != no_id ? ray.opposite : ray.boundary;
+    const bool is_chord =
+        end != no_id && faces(complex, sheet, end) &&
+        (ray.opposite == no_id ||
+         (ray.thickness < contact_at(work, end) &&
+          (is_wide(contact, work.edge_length) || !meet_in_points(complex.phase_at(sheet)) ||
+           phase_beyond(complex, sheet) == phase_beyond(complex, end))));
     return {sheet, is_chord ? ray : FilmRay<Real>{}};
 }
 
 template <class Real>
-std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work,
-                                                  std::span<const Candidate> candidates) {
-    const auto chords = all_chords(work, candidates);
+Chords<Real> find_chords(const TopologyWork<Real>& work) {
+    const Complex<Real>& complex = work.complex;
+    const auto phases_at = [&](Corner sheet) {
+        return std::minmax({complex.phase_at(sheet), phase_beyond(complex, sheet)});
+    };
+    const auto sheet_at = [&](std::uint32_t v) {
+        const Corner at =
+            !complex.is_alive(Vertex{v}) ? no_id : find_corner(complex, Vertex{v}, [&](Corner c) {
+                return is_sheet(complex, prev(c)) && !is_border(complex.twin(prev(c)));
+            });
+        return at == no_id ? no_id : prev(at);
+    };
+    Corner some = no_id;
+    for (std::size_t i = 0; i < work.interface.size() && some == no_id; ++i) {
+        some = sheet_at(work.interface[i]);
+    }
+    if (some == no_id) {
+        return {};
+    }
+    const auto pair = phases_at(some);
+    std::atomic<bool> has_fronts = false;
+    std::vector<Chord<Real>> chords;
+    const Real longest = largest_contact(work.options, work.edge_length);
+    const Real squared = static_cast<Real>(1 + length_slack) * longest * longest;
+    const auto look = [&](std::uint32_t v, std::vector<Chord<Real>>& found) {
+        if (!complex.is_alive(Vertex{v})) {
+            return;
+        }
+        (void)find_corner(complex, Vertex{v}, [&](Corner at) {
+            const Corner sheet = prev(at); // the half-edge that starts at the vertex
+            if (!is_sheet(complex, sheet) || is_border(complex.twin(sheet))) {
+                return false;
+            }
+            if (phases_at(sheet) != pair) {
+                has_fronts.store(true, std::memory_order_relaxed);
+            }
+            if (!leaves_late(complex, sheet, squared)) {
+                if (const Chord<Real> chord = find_chord(work, sheet); chord.exists()) {
+                    found.push_back(chord);
+                }
+            }
+            return false; // all of them, in any order
+        });
+    };
+    find_at(work.in_shares, work.interface, chords, look);
+    std::ranges::sort(chords, {}, [](const Chord<Real>& chord) {
+        return std::tuple(chord.ray.middle.x(), chord.ray.middle.y(), chord.sheet);
+    });
+    return {std::move(chords), has_fronts};
+}
+
+template <class Real>
+std::vector<std::vector<Corner>> thin_places(const Complex<Real>& complex,
+                                             std::span<const Chord<Real>> all) {
+    std::vector<Chord<Real>> chords;
+    std::ranges::copy_if(all, std::back_inserter(chords),
+                         [](const Chord<Real>& chord) { return chord.ray.opposite != no_id; });
     std::unordered_map<Corner, std::size_t> index;
     for (std::size_t i = 0; i < chords.size(); ++i) {
-        index.emplace(chords[i][0], i);
+        index.emplace(chords[i].sheet, i);
     }
     Places places(chords.size());
     for (std::size_t i = 0; i < chords.size(); ++i) {
-        for (const Corner c : {along_outline(work.complex, chords[i][0]), chords[i][1]}) {
+        for (const Corner c : {along_outline(complex, chords[i].sheet), chords[i].ray.opposite}) {
             if (const auto at = index.find(c); at != index.end()) {
                 places.join(i, at->second);
             }
@@ -154,37 +191,40 @@ std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>& work
             at[i] = list.size();
             list.emplace_back();
         }
-        list[at[first]].push_back(chords[i][0]);
+        list[at[first]].push_back(chords[i].sheet);
     }
     return list;
 }
 
 template <class Real>
 Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chord) {
-    const Real contact = wide_contact_at(work, chord.sheet);
+    const Real contact = contact_at(work, chord.sheet);
+    const Real unit = std::max(contact, work.edge_length);
+    const Real longest =
+        std::max(static_cast<Real>(beside_end) * contact, static_cast<Real>(filament_end) * unit);
     Connection connection;
     for (const bool is_ahead : {true, false}) {
         const Corner one = is_ahead ? chord.sheet : chord.ray.opposite;
         const Corner other = is_ahead ? chord.ray.opposite : chord.sheet;
-        const Way<Real> way = way_along(work, one, other, static_cast<Real>(beside_end) * contact);
-        const double distances = way.arrives ? static_cast<double>(way.length / contact)
-                                             : std::numeric_limits<double>::infinity();
-        (distances < filament_end ? connection.is_near : connection.is_far) = true;
+        const Way<Real> way = way_along(work, one, other, longest);
+        const double lengths = way.arrives ? static_cast<double>(way.length / unit)
+                                           : std::numeric_limits<double>::infinity();
+        (lengths < filament_end ? connection.is_near : connection.is_far) = true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
         // A sheet that ends on the domain boundary is no end of a seam, even if a film has opened
         // there.
         connection.is_seam =
-            connection.is_seam || (distances < end_of_seam && way.on_seam && !way.on_boundary);
+            connection.is_seam || (lengths < end_of_seam && way.on_seam && !way.on_boundary);
     }
     connection.is_beside_end = connection.is_beside_end && !connection.is_near;
     return connection;
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template Real wide_contact_at(const TopologyWork<Real>&, Corner);                              \
     template Chord<Real> find_chord(const TopologyWork<Real>&, Corner);                            \
-    template std::vector<std::vector<Corner>> find_thin_places(const TopologyWork<Real>&,          \
-                                                               std::span<const Candidate>);        \
+    template Chords<Real> find_chords(const TopologyWork<Real>&);                                  \
+    template std::vector<std::vector<Corner>> thin_places(const Complex<Real>&,                    \
+                                                          std::span<const Chord<Real>>);           \
     template Connection connection_of(const TopologyWork<Real>&, const Chord<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -38,6 +38,11 @@ public:
             std::ranges::set_intersection(link_of(complex_, v), link_of(complex_, q),
                                           std::back_inserter(common));
             const bool is_inside = !is_border(edge) && !is_border(complex_.twin(edge));
+            const bool has_side_v = is_on_boundary(complex_, Vertex{v});
+            const bool has_side_q = is_on_boundary(complex_, Vertex{q});
+            if (is_inside && has_side_v && has_side_q) {
+                return no_id; // the domain would be pinched
+            }
             if (common.size() !=
                 (is_inside ? 2U : 1U)) { // a vertex inside a phase may be in the way
                 if (std::ranges::none_of(common,
@@ -72,7 +77,9 @@ public:
             note_sweep(work_, Vertex{v}, Vertex{q}, place);
             note_sweep(work_, Vertex{q}, Vertex{v}, place);
             const auto order = [&](std::uint32_t w) { return std::tuple(at(w).x(), at(w).y()); };
-            const std::uint32_t gone = order(v) < order(q) ? q : v;
+            const std::uint32_t gone = has_side_v != has_side_q ? (has_side_v ? q : v)
+                                       : order(v) < order(q)    ? q
+                                                                : v;
             const std::uint32_t kept = gone == v ? q : v;
             rewire::collapse(complex_, complex_.journal, edge,
                              complex_.vertex(next(edge)) == gone ? rewire::Vanishing::next
@@ -147,22 +154,24 @@ private:
         return false;
     }
 
-    // A tip of the film within one phase, whose only two sheets become one, goes to that phase
-    // first: it is off the interface from then on.
+    // A tip of the film within one phase goes to that phase first: with it, its vertex leaves the
+    // interface.
     void give_tip(Corner apex) {
         if (is_border(apex)) {
             return;
         }
-        const Corner one = complex_.twin(next(apex));
-        const Corner other = complex_.twin(prev(apex));
-        int sheets = 0;
-        for_each_corner(complex_, Vertex{complex_.vertex(apex)},
-                        [&](Corner c) { sheets += is_sheet(complex_, prev(c)) ? 1 : 0; });
-        if (sheets == 2 && !is_border(one) && is_sheet(complex_, one) &&
-            complex_.phase_at(one) == complex_.phase_at(other)) {
-            const Triangle tip{triangle_of(apex)};
+        const Triangle tip{triangle_of(apex)};
+        Phase around = border_phase;
+        const Corner other = find_corner(complex_, Vertex{complex_.vertex(apex)}, [&](Corner c) {
+            const Phase phase = complex_.phase_at(c);
+            if (c != apex && around == border_phase) {
+                around = phase;
+            }
+            return c != apex && (phase != around || phase == complex_.phase(tip));
+        });
+        if (other == no_id && around != border_phase) {
             work_.swept += static_cast<double>(doubled_area(complex_, tip)) / 2;
-            give(work_, tip, complex_.phase_at(one));
+            give(work_, tip, around);
         }
     }
 

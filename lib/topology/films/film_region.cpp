@@ -5,6 +5,7 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/films/division.h"
 #include "topology/films/film_ray.h"
 
 #include <algorithm>
@@ -141,6 +142,29 @@ void FilmRegion<Real>::fill(const std::function<bool(Triangle, Phase)>& may_take
     }
 }
 
+// A thin triangle between the region and a sheet is the point of a notch.
+template <class Real>
+void FilmRegion<Real>::fill_notches() {
+    const Complex<Real>& complex = work_.complex;
+    for (const Triangle inside : std::vector(order_)) {
+        const Phase to = entries_.at(inside.id).to;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const Triangle t{triangle_of(complex.twin(corner_of(inside.id, k)))};
+            if (!is_rest(t) || thickness(complex, t) >= within_triangles(work_, contact_)) {
+                continue;
+            }
+            int closed = 0;
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const Triangle beside{triangle_of(complex.twin(corner_of(t.id, side)))};
+                closed += beside.id != border_triangle && phase_later(beside) == to ? 1 : 0;
+            }
+            if (closed > 1) {
+                offer(t, to, std::numeric_limits<Real>::infinity());
+            }
+        }
+    }
+}
+
 // Whether the triangle belongs to the film, but not to the region.
 template <class Real>
 bool FilmRegion<Real>::is_rest(Triangle t) const {
@@ -256,6 +280,37 @@ bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const
                                         complex.position(Vertex{complex.vertex(prev(c))})) > 0;
     });
     return is_positive;
+}
+
+template <class Real>
+void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_take) {
+    // Where phases keep their areas, fronts displace nothing: what is taken is given back.
+    if (!meet_in_points(film_) || work_.options.gives_back_area) {
+        return;
+    }
+    std::vector<Phase> takers;
+    for (const Triangle t : order_) {
+        takers.push_back(entries_.at(t.id).to);
+        for (std::uint32_t k = 0; k < 3; ++k) { // a front beside the film, without a ray
+            const Corner side = corner_of(t.id, k);
+            const Phase beyond = phase_beyond(work_.complex, side);
+            if (is_sheet(work_.complex, side) &&
+                std::ranges::find(takers, beyond) == takers.end() && may_take(t, beyond)) {
+                takers.push_back(beyond);
+            }
+        }
+    }
+    std::ranges::sort(takers);
+    takers.erase(std::unique(takers.begin(), takers.end()), takers.end());
+    if (takers.size() < 2) {
+        return;
+    }
+    const std::vector<Share> shares = divide_by_arrival<Real>(work_, order_, takers);
+    entries_.clear();
+    order_.clear();
+    for (const Share& share : shares) {
+        offer(share.triangle, share.to, Real(0));
+    }
 }
 
 template <class Real>

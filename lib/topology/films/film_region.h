@@ -32,9 +32,15 @@ public:
     /// triangle for the phase beyond its own sheet, if that may take it, or else for its
     /// neighbour's. O(number of triangles), a few dozen times.
     void fill(const std::function<bool(Triangle, Phase)>& may_take);
+    /// Adds the thin triangles that would remain as sharp notches beside the region. O(number of
+    /// triangles).
+    void fill_notches();
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();
+    /// Divides the region anew if several phases take parts of it (division.h): also those whose
+    /// fronts are beside it without a ray, if they may take a triangle there.
+    void divide(const std::function<bool(Triangle, Phase)>& may_take);
     /// The area that the phase will take. O(number of triangles).
     [[nodiscard]] double area_of(Phase taker) const;
     /// Gives all triangles to their new phases and returns their area. Their vertices are then

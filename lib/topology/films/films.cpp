@@ -1,425 +1,250 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/films.h"
 
-#include "topology/films/bridge.h"
+#include "topology/films/facing.h"
+#include "topology/films/film_region.h"
 
 #include <algorithm>
-#include <tuple>
+#include <array>
+#include <limits>
 
 namespace dsc {
 
 namespace {
 
-/// Cosine of the largest angle between two sheets that meet at the end of a seam. Three successive
-/// vertices of one curve have a larger one.
-constexpr double seam_angle = 0.5;
+/// In a tip, a thin place becomes thinner than this fraction of its thickness towards the point.
+constexpr double tip_share = 0.7;
 /// A piece whose mean thickness is less than this many contact distances is the rest of a film that
-/// has opened at its ends. Oblique triangles are thinner than their film, by half at most.
-constexpr double rest_of_film = 2.5;
-/// A relative slack of thicknesses, larger than their rounding errors.
-constexpr double thickness_slack = 1e-3;
+/// has opened beside it.
+constexpr double rest_of_film = 1.25;
 
 template <class Real>
 class Films {
 public:
-    explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {
-        const Real contact =
-            std::min(largest_contact(work.options, work.edge_length),
-                     static_cast<Real>(max_contact_of_triangles) * work.edge_length);
-        max_squared_ = static_cast<Real>(1 + thickness_slack) * contact * contact;
-    }
+    explicit Films(TopologyWork<Real>& work) : work_(work), complex_(work.complex) {}
 
-    void run(std::span<const Candidate> candidates, std::span<const Candidate> notable) {
-        // The notes on stars that face a sheet are valid only if nothing has changed since.
-        if (work_.touched.empty()) {
-            find_near(notable, &Candidate::is_facing);
-        } else {
-            find_near(candidates, &Candidate::is_thin);
-        }
-        if (near_.empty()) {
-            return;
-        }
-        Bridge<Real> bridge{};
-        const std::size_t before = work_.events.size();
-        const auto opens = [&](Triangle t) { return find_bridge(work_, candidates, t, bridge); };
-        for (const Triangle t : thin_triangles(opens)) {
-            if (is_thin(work_, t) && opens(t)) { // earlier openings may have closed it
-                open(bridge);
-            }
-        }
-        if (!work_.options.follows_seams) {
-            return;
-        }
-        // Continues seams of earlier events, whose sheets have come closer since, and of the new
-        // events.
-        if (work_.events.size() != before) {
-            find_near(candidates, &Candidate::is_thin);
-        }
-        const auto goes_on = [&](Triangle t) { return is_end_of_seam(t); };
-        for (const Triangle t : thin_triangles(goes_on)) {
-            if (is_thin(work_, t) && is_end_of_seam(t)) {
-                follow_seam(t);
-            }
+    void run(std::span<const Chord<Real>> chords) {
+        for (const std::vector<Corner>& place : thin_places(complex_, chords)) {
+            visit(place);
         }
     }
 
 private:
-    // --- candidates ---------------------------------------------------------------------------
-    // Each triangle that bridges a film has a vertex on one of its sheets and the opposite edge on
-    // the other; so has the end of a seam. Before the first event almost no interface vertex has
-    // such a triangle.
-    void find_near(std::span<const Candidate> candidates, bool Candidate::*may_be) {
-        near_.clear();
-        for (const auto& candidate : candidates) {
-            if (!(candidate.*may_be) || !complex_.is_alive(Vertex{candidate.vertex})) {
-                continue;
-            }
-            (void)find_corner(complex_, Vertex{candidate.vertex}, [&](Corner c) {
-                if (is_sheet(complex_, c) && !is_thick(c) && !is_plain_ear(c)) {
-                    near_.push_back(Triangle{triangle_of(c)});
+    // Opens a thin place; films that opened before may have closed a part of it.
+    void visit(const std::vector<Corner>& place) {
+        chords_.clear();
+        seams_.clear();
+        const Chord<Real>* film = nullptr;
+        bool is_beside_end = false;
+        for (const Corner sheet : place) {
+            if (is_sheet(complex_, sheet)) {
+                const Chord<Real> chord = find_chord(work_, sheet);
+                if (chord.ray.opposite != no_id) {
+                    chords_.push_back(chord);
                 }
-                return false; // all of them, in any order
-            });
-        }
-    }
-
-    // Whether the triangle lies between two successive edges of one sheet, away from seams, with no
-    // blocked vertex: it bridges no film, and is not the end of a seam.
-    bool is_plain_ear(Corner c) const {
-        const auto is_plain = [&](std::uint32_t v) {
-            return !is_seam(v) && (complex_.vertices[v].flags & vertex_contact) == 0;
-        };
-        return (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
-               is_plain(complex_.vertex(c)) && is_plain(complex_.vertex(next(c))) &&
-               is_plain(complex_.vertex(prev(c)));
-    }
-
-    // The thin triangles in the order of their positions, which does not depend on the division of
-    // the mesh.
-    template <class Test>
-    std::vector<Triangle> thin_triangles(Test test) const {
-        std::vector<std::tuple<Real, Real, std::uint32_t>> found;
-        for (const Triangle t : near_) {
-            if (complex_.is_alive(t) && test(t) && is_thin(work_, t)) {
-                const Point<Real> place = centroid(complex_, t);
-                found.emplace_back(place.x(), place.y(), t.id);
             }
         }
-        std::ranges::sort(found);
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        std::vector<Triangle> list;
-        for (const auto& one : found) {
-            list.push_back(Triangle{std::get<2>(one)});
+        Real tip = std::numeric_limits<Real>::max();
+        for (const Chord<Real>& chord : chords_) {
+            const Connection connection = connection_of(work_, chord);
+            if (!connection.is_near) {
+                if (opens(chord) && (film == nullptr || is_thinner(chord, *film))) {
+                    film = &chord;
+                    is_beside_end = connection.is_beside_end;
+                }
+            } else if (!connection.is_seam && !(connection.is_far && is_closing_notch(chord))) {
+                tip = std::min(tip, chord.ray.thickness);
+            } else if (work_.options.follows_seams && is_thin_at_both(chord) &&
+                       goes_on(chord, connection) &&
+                       (connection.is_seam || may_open(work_, contact(chord)))) {
+                seams_.push_back(chord);
+            }
         }
-        return list;
+        const auto is_tip = [&] {
+            return is_beside_end && tip < static_cast<Real>(tip_share) * film->ray.thickness;
+        };
+        if (film != nullptr && !is_tip()) {
+            open(*film);
+        } else if (!seams_.empty()) {
+            widen();
+        }
     }
 
-    // Thicker than any contact distance: `is_thin` would say no. The squares of thickness and
-    // contact are compared, both times the longest edge squared.
-    bool is_thick(Corner c) const {
-        const Point<Real> a = direction(complex_, c);
-        const Point<Real> b = direction(complex_, next(c));
-        const Real doubled = cross<Real>(a, b);
-        const Real longest =
-            std::max(std::max(a.squaredNorm(), b.squaredNorm()), (a + b).squaredNorm());
-        return doubled * doubled > max_squared_ * longest;
+    static bool is_thinner(const Chord<Real>& one, const Chord<Real>& other) {
+        return one.ray.thickness < other.ray.thickness;
     }
 
-    // --- events -------------------------------------------------------------------------------
+    // Whether the film is thin at the opposite sheet, too. Ahead of a seam the sheets part, and an
+    // edge that is longer than the film is thick leads far into it.
+    bool is_thin_at_both(const Chord<Real>& chord) const {
+        return is_wide(contact_at(work_, chord.sheet), work_.edge_length) ||
+               find_chord(work_, chord.ray.opposite).ray.opposite != no_id;
+    }
+
+    bool opens(const Chord<Real>& chord) const {
+        const Corner opposite = chord.ray.opposite;
+        return work_.options.opening == Opening::squeezed
+                   ? !are_ends_of_seam(work_, chord.sheet, opposite) &&
+                         is_squeezed(work_, chord.sheet, opposite)
+                   : !has_end_on_seam(chord.sheet) && !has_end_on_seam(opposite);
+    }
+
+    // Whether the chord crosses a notch that closes: its two sheets share a vertex, and their other
+    // ends block each other. Two sheets with edges between them may be blocked by something else,
+    // as the overhanging foot of a drop is by the domain boundary.
+    bool is_closing_notch(const Chord<Real>& chord) const {
+        const auto blocks = [&](Corner end) {
+            return (complex_.vertices[complex_.vertex(end)].flags & vertex_contact) != 0;
+        };
+        const Corner one = chord.sheet;
+        const Corner other = chord.ray.opposite;
+        const auto closes = [&](Corner first, Corner second) {
+            return complex_.vertex(prev(first)) == complex_.vertex(next(second)) &&
+                   blocks(next(first)) && blocks(prev(second));
+        };
+        return closes(one, other) || closes(other, one);
+    }
+
+    // The question to the application.
+    Contact contact(const Chord<Real>& chord) const {
+        return {.film = complex_.phase_at(chord.sheet),
+                .sides = {phase_beyond(complex_, chord.sheet),
+                          phase_beyond(complex_, chord.ray.opposite)},
+                .x = static_cast<double>(chord.ray.middle.x()),
+                .y = static_cast<double>(chord.ray.middle.y()),
+                .thickness = static_cast<double>(chord.ray.thickness)};
+    }
+
+    // An event at a chord, without its area.
+    Event event_at(const Chord<Real>& chord, EventKind kind) const {
+        const Contact at = contact(chord);
+        return {.kind = kind,
+                .time = work_.time,
+                .x = at.x,
+                .y = at.y,
+                .lost = at.film,
+                .taken = at.sides};
+    }
+
+    // The neck that an opened film leaves is as thin as the film was: it would close again at once,
+    // so it only counts as a film if the flow squeezes it.
+    bool has_end_on_seam(Corner sheet) const {
+        return is_on_seam(work_, complex_.vertex(next(sheet))) ||
+               is_on_seam(work_, complex_.vertex(prev(sheet)));
+    }
+
+    // Whether the seam extends over this chord: a small piece surrounded by a seam is no part of
+    // the film, unless the flow squeezes it.
+    bool goes_on(const Chord<Real>& chord, const Connection& connection) const {
+        return work_.options.opening == Opening::squeezed
+                   ? is_squeezed(work_, chord.sheet, chord.ray.opposite)
+                   : connection.is_far;
+    }
+
+    void open(const Chord<Real>& film) {
+        if (!may_open(work_, contact(film))) {
+            return;
+        }
+        FilmRegion<Real> region =
+            region_of(work_.options.follows_seams ? chords_ : std::vector{film});
+        Event event = event_at(film, kind_of(film, region));
+        event.area = region.give_all();
+        work_.events.push_back(event);
+    }
+
+    void widen() {
+        Event event = event_at(*std::ranges::min_element(seams_, is_thinner), EventKind::widen);
+        event.area = region_of(seams_).give_all();
+        work_.events.push_back(event);
+    }
+
+    FilmRegion<Real> region_of(const std::vector<Chord<Real>>& chords) {
+        Real contact = 0;
+        for (const Chord<Real>& chord : chords) {
+            contact = std::max(contact, contact_at(work_, chord.sheet));
+        }
+        FilmRegion<Real> region(work_, complex_.phase_at(chords.front().sheet), contact);
+        for (const Chord<Real>& chord : chords) {
+            region.add_ray(chord.sheet);
+        }
+        region.fill([](Triangle, Phase) { return false; });
+        region.smooth();
+        region.fill_notches();
+        return region;
+    }
+
     // If both sheets are on one outline of the film, the film splits into two pieces; if they are
-    // on two outlines, these become one. If one of the two pieces is too small to stay, the bridge
-    // belongs to a seam ahead of its end, or to the end of a filament, and `pocket_` is set to that
-    // piece. A larger piece that is thin everywhere is the rest of a film that has opened at its
-    // other end: the seam will close it.
-    EventKind kind_of(const Bridge<Real>& bridge, Phase one, Phase other) {
-        pocket_.clear();
-        const auto [first, second] = bridge.sheets;
-        Area ahead{};
-        Area behind{};
-        bool is_same = false;
-        Area* side = &ahead;
-        const Point<Real> origin = complex_.position(Vertex{complex_.vertex(first)});
-        for (Corner c = along_outline(complex_, first); c != first;
+    // on two outlines, these become one. It does not split if the region contains all of one of the
+    // pieces, or if that piece is the rest of a film that has opened before.
+    EventKind kind_of(const Chord<Real>& film, const FilmRegion<Real>& region) const {
+        Side ahead;
+        Side behind;
+        Side* side = &ahead;
+        const Point<Real> origin = film.ray.middle;
+        for (Corner c = along_outline(complex_, film.sheet); c != film.sheet;
              c = along_outline(complex_, c)) {
-            if (c == second) {
-                is_same = true;
+            if (c == film.ray.opposite) {
                 side = &behind;
                 continue;
             }
-            add(c, origin, *side);
+            const std::uint32_t v = complex_.vertex(next(c));
+            const Point<Real> from = complex_.position(Vertex{v}) - origin;
+            const Point<Real> way = direction(complex_, c);
+            side->doubled += cross<Real>(from, way);
+            side->perimeter += way.norm();
+            side->on_seam = side->on_seam || (work_.options.follows_seams && is_on_seam(work_, v));
+            side->is_left = side->is_left || !region.contains(Triangle{triangle_of(c)});
         }
+        const bool is_same = side == &behind;
         if (is_same) {
-            // The bridge, whose area is negligible, closes the outline on each side. A side that
-            // encloses the outside has a negative area.
-            const bool is_ahead =
-                ahead.doubled > 0 && !(behind.doubled > 0 && behind.doubled < ahead.doubled);
-            const Area& smaller = is_ahead ? ahead : behind;
-            if (smaller.doubled > 0 && smaller.doubled / 2 < min_area(work_)) {
-                pocket_ = smaller.at;
-                return smaller.on_seam
-                           ? EventKind::widen
-                           : (complex_.phase_at(first) == exterior_phase ? EventKind::fill
-                                                                         : EventKind::remove);
-            }
-            const Real contact = std::max(contact_at(work_, first), contact_at(work_, second));
-            if (is_rest_of_film(ahead, contact) || is_rest_of_film(behind, contact)) {
-                return EventKind::widen;
+            for (const Side& piece : {ahead, behind}) {
+                if (!piece.is_left && !piece.on_seam) {
+                    return complex_.phase_at(film.sheet) == exterior_phase ? EventKind::fill
+                                                                           : EventKind::remove;
+                }
+                if (!piece.is_left || is_rest_of_film(piece, film.sheet)) {
+                    return EventKind::widen;
+                }
             }
         }
-        if (one != other) {
+        const Phase one = complex_.phase_at(complex_.twin(film.sheet));
+        if (one != complex_.phase_at(complex_.twin(film.ray.opposite))) {
             return EventKind::meet;
         }
         return is_same ? EventKind::split : EventKind::merge;
     }
 
-    struct Area {
-        Real doubled = 0;
+    // The outline of the film between the two ends of the chord.
+    struct Side {
+        Real doubled = 0; ///< area; negative if the film is outside
         Real perimeter = 0;
-        std::vector<Triangle> at; ///< the first few
         bool on_seam = false;
+        bool is_left = false; ///< the region does not contain all of it
     };
 
-    void add(Corner c, const Point<Real>& origin, Area& area) const {
-        const std::uint32_t v = complex_.vertex(next(c));
-        const Point<Real> from = complex_.position(Vertex{v}) - origin;
-        const Point<Real> way = direction(complex_, c);
-        area.doubled += cross<Real>(from, way);
-        area.perimeter += way.norm();
-        if (area.at.size() < max_share_of_piece) {
-            area.at.push_back(Triangle{triangle_of(c)});
-        }
-        area.on_seam = area.on_seam || is_seam(v);
-    }
-
     // The mean thickness of a long piece is its area over half its outline.
-    static bool is_rest_of_film(const Area& piece, Real contact) {
+    bool is_rest_of_film(const Side& piece, Corner sheet) const {
         return piece.on_seam && piece.doubled > 0 &&
-               piece.doubled < static_cast<Real>(rest_of_film) * contact * piece.perimeter;
-    }
-
-    // Whether the vertex lies on a seam that may extend.
-    bool is_seam(std::uint32_t v) const {
-        return work_.options.follows_seams && is_on_seam(work_, v);
-    }
-
-    void open(const Bridge<Real>& bridge) {
-        const Triangle t{triangle_of(bridge.sheets[0])};
-        const Triangle u{triangle_of(bridge.sheets[1])};
-        const Phase film = complex_.phase(t);
-        const Phase one = complex_.phase_at(complex_.twin(bridge.sheets[0]));
-        const Phase other = complex_.phase_at(complex_.twin(bridge.sheets[1]));
-        const Point<Real> place = (centroid(complex_, t) + centroid(complex_, u)) / Real(2);
-        const auto x = static_cast<double>(place.x());
-        const auto y = static_cast<double>(place.y());
-        const auto& may_change = work_.options.may_change;
-        if (may_change && !may_change({.film = film,
-                                       .sides = {one, other},
-                                       .x = x,
-                                       .y = y,
-                                       .thickness = static_cast<double>(bridge.thickness)})) {
-            return;
-        }
-        Event event{.kind = kind_of(bridge, one, other),
-                    .time = work_.time,
-                    .x = x,
-                    .y = y,
-                    .lost = film,
-                    .taken = {one, other}};
-        const auto other_area = static_cast<double>(doubled_area(complex_, u));
-        event.area = (static_cast<double>(doubled_area(complex_, t)) + other_area) / 2;
-        close(t, one);
-        close(u, other);
-        for (const Triangle end : {t, u}) {
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                event.area += close_from(complex_.twin(corner_of(end.id, i)), film);
-            }
-        }
-        for (const Triangle rest : pocket_) {
-            if (complex_.phase(rest) == film) {
-                event.area += give_piece(rest, one);
-            }
-        }
-        work_.events.push_back(event);
-    }
-
-    void close(Triangle t, Phase phase) {
-        give(work_, t, phase);
-        mark_seam(work_, t);
-    }
-
-    double give_piece(Triangle start, Phase to) {
-        double area = 0;
-        gather_piece(complex_, start, piece_);
-        if (piece_.size() > max_share_of_piece) {
-            return 0;
-        }
-        for (const Triangle t : piece_) {
-            area += static_cast<double>(doubled_area(complex_, t)) / 2;
-            close(t, to);
-        }
-        return area;
-    }
-
-    // --- seams --------------------------------------------------------------------------------
-    // A triangle that an earlier event has left at the end of its seam: one of its two sheets is
-    // the end itself, across the film, or the two meet in a sharp notch there. A notch that is
-    // closing counts anywhere.
-    bool is_end_of_seam(Triangle t) const {
-        std::array<Corner, 3> sheets{};
-        if (sheets_of(complex_, t, sheets) != 2) {
-            return false;
-        }
-        for (const Corner c : {sheets[0], sheets[1]}) {
-            if (is_seam(complex_.vertex(next(c))) && is_seam(complex_.vertex(prev(c)))) {
-                return true;
-            }
-        }
-        // The vertex that both share is opposite to neither.
-        const Corner shared = next(sheets[0]) == sheets[1] ? prev(sheets[0]) : next(sheets[0]);
-        const Point<Real> a = direction(complex_, sheets[0]);
-        const Point<Real> b = direction(complex_, sheets[1]);
-        // The two sides of the notch block each other.
-        const auto is_blocked = [&](Corner c) {
-            const std::uint32_t v = complex_.vertex(next(c) == shared ? prev(c) : next(c));
-            return (complex_.vertices[v].flags & vertex_contact) != 0;
-        };
-        const bool is_closing = is_blocked(sheets[0]) && is_blocked(sheets[1]);
-        return (is_closing || is_seam(complex_.vertex(shared))) &&
-               -a.dot(b) > static_cast<Real>(seam_angle) * a.norm() * b.norm();
-    }
-
-    void follow_seam(Triangle t) {
-        const Phase film = complex_.phase(t);
-        const Point<Real> place = centroid(complex_, t);
-        Event event{.kind = EventKind::widen,
-                    .time = work_.time,
-                    .x = static_cast<double>(place.x()),
-                    .y = static_cast<double>(place.y()),
-                    .lost = film};
-        if (!is_beside_seam(t) && !may_close(t)) {
-            return;
-        }
-        const Phase taken = close(t);
-        if (taken == film) {
-            return;
-        }
-        event.taken = {taken, taken};
-        event.area = closed_;
-        for (std::uint32_t i = 0; i < 3; ++i) {
-            event.area += close_from(complex_.twin(corner_of(t.id, i)), film);
-        }
-        work_.events.push_back(event);
-    }
-
-    [[nodiscard]] bool is_beside_seam(Triangle t) const {
-        return std::ranges::any_of(complex_.vertices_of(t),
-                                   [this](Vertex v) { return is_seam(v.id); });
-    }
-
-    // Whether a notch that no event has made may close. A whole small piece is no notch; it
-    // vanishes instead.
-    [[nodiscard]] bool may_close(Triangle t) {
-        if (is_small_piece(t)) {
-            return false;
-        }
-        std::array<Corner, 3> sheets{};
-        (void)sheets_of(complex_, t, sheets);
-        const Point<double> place = centroid(complex_, t).template cast<double>();
-        return may_open(
-            work_, {.film = complex_.phase(t),
-                    .sides = {phase_beyond(complex_, sheets[0]), phase_beyond(complex_, sheets[1])},
-                    .x = place.x(),
-                    .y = place.y(),
-                    .thickness = static_cast<double>(thickness(complex_, t))});
-    }
-
-    [[nodiscard]] bool is_small_piece(Triangle start) {
-        gather_piece(complex_, start, piece_);
-        Real doubled = 0;
-        for (const Triangle t : piece_) {
-            doubled += doubled_area(complex_, t);
-        }
-        return piece_.size() <= max_share_of_piece && doubled / 2 < min_area(work_);
-    }
-
-    // Between a front and the seam with another, or between two fronts: the fronts meet in points.
-    [[nodiscard]] static bool is_corner_of_front(Phase film, Phase one, Phase other) {
-        return one != other &&
-               (meet_in_points(film) || meet_in_points(one) || meet_in_points(other));
-    }
-
-    // Closes a triangle that has only one open side left: it goes to the phase beyond its longest
-    // sheet. Returns that phase, or its own if it stays; `closed_` is its area.
-    Phase close(Triangle t) {
-        const Phase film = complex_.phase(t);
-        std::array<Corner, 3> sheets{};
-        if (!is_thin(work_, t) || sheets_of(complex_, t, sheets) < 2) {
-            return film;
-        }
-        Phase to = film;
-        Real longest = -1;
-        for (const Corner c : sheets) {
-            if (is_border(c) || !(contact_at(work_, c) > 0)) {
-                continue;
-            }
-            if (to != film && is_corner_of_front(film, to, phase_beyond(complex_, c))) {
-                return film;
-            }
-            const Real length = direction(complex_, c).squaredNorm();
-            if (length > longest) {
-                longest = length;
-                to = phase_beyond(complex_, c);
-            }
-        }
-        closed_ = static_cast<double>(doubled_area(complex_, t)) / 2;
-        if (to != film) {
-            close(t, to);
-        }
-        return to;
-    }
-
-    // Closes the film from this triangle on, as far as the seam extends. Returns the area that was
-    // closed.
-    double close_from(Corner c, Phase film) {
-        double area = 0;
-        std::vector<Corner> ahead;
-        if (work_.options.follows_seams) {
-            ahead.push_back(c);
-        }
-        while (!ahead.empty()) {
-            const Corner here = ahead.back();
-            ahead.pop_back();
-            const Triangle t{triangle_of(here)};
-            if (is_border(here) || complex_.phase(t) != film || close(t) == film) {
-                continue;
-            }
-            area += closed_;
-            ahead.push_back(complex_.twin(next(here)));
-            ahead.push_back(complex_.twin(prev(here)));
-        }
-        return area;
+               piece.doubled <
+                   static_cast<Real>(rest_of_film) * contact_at(work_, sheet) * piece.perimeter;
     }
 
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
-    Real max_squared_; ///< of the contact distances
-    std::vector<Triangle> near_;
-    double closed_ = 0;
-    std::vector<Triangle> piece_;
-    std::vector<Triangle> pocket_;
+    std::vector<Chord<Real>> chords_; ///< of the thin place that is visited
+    std::vector<Chord<Real>> seams_;  ///< of these: beside a seam
 };
 
 } // namespace
 
 template <class Real>
-void open_films(TopologyWork<Real>& work, std::span<const Candidate> candidates,
-                std::span<const Candidate> notable) {
-    Films<Real>(work).run(candidates, notable);
+void open_films(TopologyWork<Real>& work, std::span<const Chord<Real>> chords) {
+    if (!chords.empty()) {
+        Films<Real>(work).run(chords);
+    }
 }
 
-template void open_films(TopologyWork<double>&, std::span<const Candidate>,
-                         std::span<const Candidate>);
-template void open_films(TopologyWork<float>&, std::span<const Candidate>,
-                         std::span<const Candidate>);
+template void open_films(TopologyWork<double>&, std::span<const Chord<double>>);
+template void open_films(TopologyWork<float>&, std::span<const Chord<float>>);
 
 } // namespace dsc

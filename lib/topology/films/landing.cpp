@@ -5,7 +5,7 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/bridge.h"
+#include "topology/films/slits.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
@@ -25,6 +25,8 @@ constexpr double landing_share = 0.25;
 /// It lands, blocked or not, if it is nearer than this to the end of its curve, in edge lengths.
 /// The direction of a shorter edge is little more than rounding, and so is the end's velocity.
 constexpr double end_of_way = 0.01;
+/// The same above the boundary edge at that end: a flatter triangle there is never mended.
+constexpr double end_of_height = 0.05;
 /// Vertices up to this far from the end of the curve, along it, in edge lengths, land first.
 constexpr double landing_reach = 1.5;
 
@@ -71,14 +73,18 @@ private:
         return is_blocked(work_, v) || is_before_held_end(v) || has_come_to_end(v);
     }
 
-    // Whether the vertex has all but reached the end of its curve on the domain boundary.
+    // Whether the vertex has all but reached the domain boundary, or its curve's end there.
     [[nodiscard]] bool has_come_to_end(std::uint32_t v) const {
         const Real near = static_cast<Real>(end_of_way) * work_.edge_length;
+        const Real low = static_cast<Real>(end_of_height) * work_.edge_length;
         return complex_.is_alive(Vertex{v}) && !complex_.is_locked(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   return is_sheet(complex_, prev(c)) &&
-                          direction(complex_, prev(c)).squaredNorm() < near * near &&
-                          is_on_boundary(complex_.vertex(next(c)));
+                   return (is_sheet(complex_, prev(c)) &&
+                           direction(complex_, prev(c)).squaredNorm() < near * near &&
+                           is_on_boundary(complex_.vertex(next(c)))) ||
+                          (is_border(complex_.twin(c)) &&
+                           (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
+                           thickness(complex_, Triangle{triangle_of(c)}) < low);
                }) != no_id;
     }
 
@@ -93,9 +99,10 @@ private:
     }
 
     [[nodiscard]] bool is_on_boundary(std::uint32_t v) const {
-        return find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   return is_border(complex_.twin(next(c))) || is_border(complex_.twin(prev(c)));
-               }) != no_id;
+        return dsc::is_on_boundary(complex_, Vertex{v});
+    }
+    [[nodiscard]] bool is_junction(std::uint32_t v) const {
+        return dsc::is_junction(complex_, Vertex{v});
     }
 
     // Between a blocked vertex and the end of its curve there may be vertices of an equally small
@@ -133,74 +140,9 @@ private:
         return {};
     }
 
-    // Fills a slit whose mouth blocks the vertex: a triangle with two long sides on the interface,
-    // whose mouth, at the vertex, is narrower than the contact distance. Also fills the rest of the
-    // film between the vertex and the end of its curve.
-    void fill_slits(std::uint32_t v) {
-        Corner side = no_id;
-        while ((side = slit_at(v)) != no_id || (side = ear_at(v)) != no_id) {
-            const Triangle t{triangle_of(side)};
-            const Point<double> place = centroid(complex_, t).template cast<double>();
-            const Phase taker = phase_beyond(complex_, side);
-            Event event{.kind = EventKind::widen,
-                        .time = work_.time,
-                        .x = place.x(),
-                        .y = place.y(),
-                        .lost = complex_.phase(t),
-                        .taken = {taker, taker},
-                        .area = static_cast<double>(doubled_area(complex_, t)) / 2};
-            if (!may_open(work_, {.film = event.lost,
-                                  .sides = event.taken,
-                                  .x = event.x,
-                                  .y = event.y,
-                                  .thickness = static_cast<double>(thickness(complex_, t))})) {
-                return;
-            }
-            give(work_, t, taker);
-            work_.events.push_back(event);
-        }
-    }
-
-    // The long side that ends at the vertex; no_id if there is no such slit.
-    [[nodiscard]] Corner slit_at(std::uint32_t v) const {
-        Corner found = no_id;
-        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-            for (const auto& [side, mouth] : {std::pair(next(c), prev(c)), {prev(c), next(c)}}) {
-                const Real contact = contact_at(work_, side);
-                const Real width = direction(complex_, mouth).squaredNorm();
-                if (is_sheet(complex_, c) && is_sheet(complex_, side) &&
-                    !is_outline(complex_, mouth) &&
-                    phase_beyond(complex_, c) == phase_beyond(complex_, side) &&
-                    width < contact * contact &&
-                    4 * width < direction(complex_, side).squaredNorm()) {
-                    found = side;
-                }
-            }
-        });
-        return found;
-    }
-
-    // A side of the thin triangle that remains between two edges of the curve, if the vertex is
-    // above a boundary edge at the curve's end; no_id if there is none.
-    [[nodiscard]] Corner ear_at(std::uint32_t v) const {
-        Corner found = no_id;
-        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-            for (const Corner side : {next(c), prev(c)}) {
-                const Corner apex = complex_.twin(side);
-                if (is_border(complex_.twin(c)) && !is_outline(complex_, side) &&
-                    is_sheet(complex_, next(apex)) && is_sheet(complex_, prev(apex)) &&
-                    phase_beyond(complex_, next(apex)) == phase_beyond(complex_, prev(apex)) &&
-                    is_thin(work_, Triangle{triangle_of(apex)})) {
-                    found = next(apex);
-                }
-            }
-        });
-        return found;
-    }
-
     // Lands the vertex, if possible; returns the next vertex of the curve if it has landed.
     std::uint32_t land(std::uint32_t v) {
-        fill_slits(v);
+        fill_slits(work_, v);
         std::vector<std::tuple<Real, Real, Real, std::uint32_t>> neighbours;
         Corner curve = no_id;
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
@@ -247,13 +189,6 @@ private:
             }
         });
         return found;
-    }
-
-    [[nodiscard]] bool is_junction(std::uint32_t v) const {
-        int curves = 0;
-        for_each_corner(complex_, Vertex{v},
-                        [&](Corner c) { curves += is_sheet(complex_, prev(c)) ? 1 : 0; });
-        return curves > 2;
     }
 
     // The height of the vertex above the domain boundary, or above the other curves that leave the
@@ -327,13 +262,12 @@ private:
         }
         const std::size_t transfers = work_.transfers.size();
         const bool has_landed = merge_ends(work_, Vertex{v}, Vertex{target}, false).is_valid();
-        // The area that the curve sweeps is not recorded as transferred, because the flow itself
-        // would have moved the vertex there.
-        work_.transfers.erase(work_.transfers.begin() + static_cast<std::ptrdiff_t>(transfers),
-                              work_.transfers.end());
-        work_.swept = 0;
+        forget_landing(work_, transfers);
         if (target != end) {
             work_.events.push_back(event);
+        }
+        if (has_landed) {
+            work_.touched.push_back(Vertex{target}); // its star may be slender
         }
         return has_landed;
     }

@@ -6,6 +6,7 @@
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/films/front_point.h"
 #include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 
@@ -35,8 +36,7 @@ public:
         for (const Corner c : outline_) {
             ends_.push_back(complex_.vertex(next(c)));
             if (is_border(complex_.twin(c))) {
-                boundary_ = c;
-                continue;
+                return false;
             }
             const Phase beyond = phase_beyond(complex_, c);
             if (rule_of(work_.options, work_.edge_length, film_, beyond).rule != Topology::change) {
@@ -45,11 +45,11 @@ public:
             is_one = is_one && (other == film_ || beyond == other);
             other = beyond;
         }
-        if (is_one || is_at_corner()) {
+        if (is_one) {
             return false;
         }
         const Point<Real> place = meeting_place();
-        const std::uint32_t centre = boundary_ != no_id ? vertex_on_boundary() : vertex_within();
+        const std::uint32_t centre = vertex_within();
         if (centre == no_id) {
             return false;
         }
@@ -66,7 +66,7 @@ public:
         }
         std::vector<std::pair<Triangle, Phase>> gifts;
         for_each_corner(complex_, Vertex{centre}, [&](Corner c) {
-            if (is_of_film(c) && is_outline(complex_, c) && !is_border(complex_.twin(c))) {
+            if (is_of_film(c) && is_outline(complex_, c)) {
                 gifts.emplace_back(Triangle{triangle_of(c)}, phase_beyond(complex_, c));
             }
         });
@@ -85,41 +85,6 @@ private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
     [[nodiscard]] bool is_of_film(Corner c) const {
         return !is_border(c) && complex_.phase_at(c) == film_;
-    }
-
-    // Whether the piece reaches more than one side of the domain: a run of its boundary edges has a
-    // feature of the boundary within it, or two runs have different directions.
-    [[nodiscard]] bool is_at_corner() const {
-        Corner end_of_run = no_id;
-        for (const Corner c : outline_) {
-            if (!is_border(complex_.twin(c))) {
-                continue;
-            }
-            const Vertex v{complex_.vertex(prev(c))};
-            const auto following = std::ranges::find_if(outline_, [&](Corner other) {
-                return is_border(complex_.twin(other)) && complex_.vertex(next(other)) == v.id;
-            });
-            if (following != outline_.end()) {
-                if (side_at<Real>(at(complex_.vertex(next(c))), at(v.id),
-                                  at(complex_.vertex(prev(*following))),
-                                  complex_.is_boundary_feature(v)) == Side::feature) {
-                    return true;
-                }
-            } else if (end_of_run != no_id && differ(c, end_of_run)) {
-                return true;
-            } else {
-                end_of_run = c;
-            }
-        }
-        return false;
-    }
-
-    // Whether two edges of the domain boundary have different directions.
-    [[nodiscard]] bool differ(Corner one, Corner other) const {
-        const Point<Real> a = direction(complex_, one);
-        const Point<Real> b = direction(complex_, other);
-        const double cosine = std::cos(side_turn_degrees * std::numbers::pi / 180);
-        return a.dot(b) < static_cast<Real>(cosine) * a.norm() * b.norm();
     }
 
     // What could not become the star of the centre: each triangle to the phase beyond its longest
@@ -154,9 +119,29 @@ private:
         }
     }
 
-    // The place and the time t with n.(place - p) = t for the normal n and a point p of each edge
-    // of the outline, weighted by length, in the sense of least squares. Held a little to the mean
-    // of the outline: between two parallel fronts it could be anywhere.
+    // How far the edge of the outline goes in a sub-step; none if nobody knows.
+    [[nodiscard]] std::optional<Real> speed_of_edge(Corner c) const {
+        const Point<Real> way = direction(complex_, c).normalized();
+        return speed_of(work_, front_point(complex_, c, Real(0.5)), Point<Real>(-way.y(), way.x()));
+    }
+    // The mean of those that are known.
+    [[nodiscard]] Real mean_speed() const {
+        Real sum = 0;
+        Real length = 0;
+        for (const Corner c : outline_) {
+            const auto speed = is_border(complex_.twin(c)) ? std::nullopt : speed_of_edge(c);
+            if (speed && *speed > 0) {
+                const Real size = direction(complex_, c).norm();
+                sum += size * *speed;
+                length += size;
+            }
+        }
+        return length > 0 ? sum / length : Real(0);
+    }
+
+    // The place and the time t with n.(place - p) = v t for the normal n, the speed v and a point p
+    // of each edge of the outline, weighted by length, in the sense of least squares. Held a little
+    // to the mean of the outline: between two parallel fronts it could be anywhere.
     [[nodiscard]] Point<Real> meeting_place() const {
         constexpr double hold = 1e-4;
         Point<double> mean = Point<double>::Zero();
@@ -168,71 +153,28 @@ private:
             perimeter += way.norm();
         }
         mean /= perimeter;
+        const Real speed = mean_speed();
         Eigen::Matrix3d matrix = Eigen::Vector3d(hold, hold, 0).asDiagonal();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         for (const Corner c : outline_) {
             const auto way = direction(complex_, c).template cast<double>().eval();
             const auto from = at(complex_.vertex(next(c))).template cast<double>().eval();
             const double length = way.norm();
-            if (!(length > 0) || is_border(complex_.twin(c))) {
+            if (!(length > 0)) {
                 continue;
             }
             const Point<double> n(-way.y() / length, way.x() / length);
-            const Eigen::Vector3d row(n.x(), n.y(), -1);
+            const Real own = std::max(speed_of_edge(c).value_or(speed), Real(0));
+            const double rate = speed > 0 ? static_cast<double>(own / speed) : 1.0;
+            const auto lead = static_cast<double>(
+                lead_of(work_, front_point(complex_, c, Real(0.5)),
+                        Point<Real>(n.template cast<Real>()), speed > 0 ? own : Real(0)));
+            const Eigen::Vector3d row(n.x(), n.y(), -rate);
             matrix += length / perimeter * row * row.transpose();
-            right += length / perimeter * n.dot(from - mean) * row;
-        }
-        if (boundary_ != no_id) {
-            constexpr double fast = 1e6;
-            const auto way =
-                direction(complex_, boundary_).template cast<double>().normalized().eval();
-            const auto from = at(complex_.vertex(next(boundary_))).template cast<double>().eval();
-            const Point<double> n(-way.y(), way.x());
-            const Eigen::Vector3d row(n.x(), n.y(), 0);
-            matrix += fast * row * row.transpose();
-            right += fast * n.dot(from - mean) * row;
+            right += length / perimeter * (n.dot(from - mean) - lead) * row;
         }
         const Eigen::Vector3d solution = matrix.ldlt().solve(right);
         return (mean + solution.head<2>()).template cast<Real>();
-    }
-
-    // A vertex on the domain boundary, alone between the ends of the fronts if the triangles allow
-    // that: all of the piece can be the star of no other.
-    std::uint32_t vertex_on_boundary() {
-        bool is_inner = is_border(complex_.twin(outline_.back()));
-        std::vector<std::uint32_t> inner; // between two edges of the boundary
-        for (std::size_t i = 0; i < outline_.size(); ++i) {
-            const bool is_on_boundary = is_border(complex_.twin(outline_[i]));
-            if (is_inner && is_on_boundary) {
-                inner.push_back(ends_[i]);
-            }
-            is_inner = is_on_boundary;
-        }
-        std::erase_if(
-            inner, [&](std::uint32_t v) { return remove_on_boundary(work_, Vertex{v}, Real(0)); });
-        if (!inner.empty()) {
-            return inner.front();
-        }
-        const auto edge_of_film = [&](Triangle t) {
-            for (std::uint32_t k = 0; k < 3 && complex_.is_alive(t); ++k) {
-                const Corner c = corner_of(t.id, k);
-                if (is_of_film(c) && is_border(complex_.twin(c))) {
-                    return c;
-                }
-            }
-            return no_id;
-        };
-        Corner edge = no_id;
-        for (std::size_t i = 0; i < piece_.size() && edge == no_id; ++i) {
-            edge = edge_of_film(piece_[i]);
-        }
-        if (edge == no_id) {
-            return no_id;
-        }
-        const Point<Real> to =
-            (at(complex_.vertex(next(edge))) + at(complex_.vertex(prev(edge)))) / Real(2);
-        const SplitResult split = edge_split(submesh_, edge, to);
-        return split.verdict == Verdict::legal ? split.vertex.id : no_id;
     }
 
     // A vertex inside the piece: the only one, or a new one on its longest inner edge. A single
@@ -283,36 +225,15 @@ private:
         return no_id;
     }
 
-    // All of the way, or as much of it as leaves all triangles positive, and a vertex of the domain
-    // boundary exactly on it; on a curved side, on the circle through its neighbours.
-    void move_towards(std::uint32_t v, Point<Real> place) {
+    // All of the way, or as much of it as leaves all triangles positive.
+    void move_towards(std::uint32_t v, const Point<Real>& place) {
         if (complex_.is_boundary_feature(Vertex{v})) {
             return;
         }
         const Point<Real> from = at(v);
-        std::array<std::uint32_t, 2> beside{v, v};
-        for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-            if (is_border(complex_.twin(prev(c)))) {
-                beside[0] = complex_.vertex(next(c));
-            }
-            if (is_border(complex_.twin(next(c)))) {
-                beside[1] = complex_.vertex(prev(c));
-            }
-        });
-        if (const Point<Real> way = at(beside[1]) - at(beside[0]); beside[0] != beside[1]) {
-            place = at(beside[0]) + (place - at(beside[0])).dot(way) / way.squaredNorm() * way;
-        }
-        const bool is_curved =
-            beside[0] != beside[1] &&
-            side_at<Real>(at(beside[0]), from, at(beside[1]), false) == Side::curved;
         for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
-            Point<Real> to = from + share * (place - from);
-            if (is_curved) {
-                to = slid_on_side<Real>(at(beside[0]), from, at(beside[1]), to, true);
-            }
-            bool is_positive =
-                beside[0] == beside[1] || is_curved ||
-                side_at<Real>(at(beside[0]), to, at(beside[1]), false) == Side::straight;
+            const Point<Real> to = from + share * (place - from);
+            bool is_positive = true;
             for_each_corner(complex_, Vertex{v}, [&](Corner c) {
                 is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
                                                                at(complex_.vertex(prev(c)))) > 0;
@@ -335,7 +256,6 @@ private:
     std::span<const Corner> outline_;
     Phase film_;
     std::vector<std::uint32_t> ends_; ///< the vertices of the outline
-    Corner boundary_ = no_id;         ///< an edge of it on the domain boundary, if there is one
 };
 
 } // namespace

@@ -11,9 +11,9 @@ namespace dsc {
 
 /// Moves a vertex of the piece to the place that all fronts around it reach at the same time, as
 /// nearly as they do, and gives each triangle about it to the phase beyond its outline. `outline`:
-/// all half-edges of the piece's outline; of those on the domain boundary one is split at that
-/// place. Returns false if the piece has only one phase around it or lies in a corner of the
-/// domain, or its triangles are in the way: then it may have other triangles. O(triangles squared).
+/// all half-edges of the piece's outline. Returns false if the piece has only one phase around it
+/// or reaches the domain boundary, or its triangles are in the way: then it may have other
+/// triangles. O(triangles squared).
 template <class Real>
 bool close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
                       std::span<const Corner> outline);

@@ -21,6 +21,8 @@ namespace {
 
 /// A pocket beside a seam has no more edges than this on each side.
 constexpr int edges_of_pocket = 6;
+/// Fronts meet at most so many sub-steps ahead.
+constexpr double max_shares = 8;
 
 template <class Real>
 class Meeting {
@@ -104,34 +106,49 @@ private:
         }
     }
 
+    /// Where and when two fronts meet.
+    struct Meet {
+        Point<Real> place;
+        Real shares; ///< of a sub-step from now
+    };
     // The place on the bisector of the two fronts that both reach at the same time, each along its
     // normal.
-    [[nodiscard]] static Point<Real> meeting_place(const Sight<Real>& sight, const Point<Real>& v,
-                                                   const Point<Real>& q) {
+    [[nodiscard]] static Meet meeting_of(const Sight<Real>& sight, const Point<Real>& v,
+                                         const Point<Real>& q) {
         Real speed_v = std::max(sight.speed_v, Real(0));
         Real speed_q = std::max(sight.speed_q, Real(0));
-        if (!(speed_v + speed_q > 0)) {
+        const bool has_speeds = speed_v + speed_q > 0;
+        if (!has_speeds) {
             speed_v = speed_q = 1;
         }
-        const Point<Real> p = v + speed_v / (speed_v + speed_q) * (q - v); // exact along an axis
+        const Real gap = (q - v).norm();
+        const Real shares = (gap + sight.lead_v + sight.lead_q) / (speed_v + speed_q);
+        const Real offset = std::clamp(shares * speed_v - sight.lead_v, Real(0), gap);
+        // Exact along an axis.
+        const Point<Real> p = gap > 0 ? Point<Real>(v + offset / gap * (q - v)) : v;
+        Meet meet{.place = p, .shares = has_speeds ? shares : Real(0)};
         Point<Real> across = sight.normal_v - sight.normal_q;
         const Real size = across.norm();
         if (!(size > Real(0.5))) {
-            return p; // the fronts do not face each other
+            return meet; // the fronts do not face each other
         }
         if (sight.is_on_boundary) {
-            return side_at<Real>(v, p, q, false) == Side::straight ? p : v;
+            meet.place = side_at<Real>(v, p, q, false) == Side::straight ? p : v;
+            return meet;
         }
         across /= size;
         const Real rate =
             speed_q * across.dot(sight.normal_v) - speed_v * across.dot(sight.normal_q);
         if (!(std::abs(rate) > 0)) {
-            return p;
+            return meet;
         }
-        const Real max_offset = (q - v).norm() / 2;
-        const Real along =
-            (speed_v * (p - q).dot(sight.normal_q) - speed_q * (p - v).dot(sight.normal_v)) / rate;
-        return p + std::clamp(along, -max_offset, max_offset) * across;
+        // How far the place is from the fronts now, along their normals.
+        const auto from_v = [&] { return (meet.place - v).dot(sight.normal_v) + sight.lead_v; };
+        const auto from_q = [&] { return (meet.place - q).dot(sight.normal_q) + sight.lead_q; };
+        const Real along = (speed_v * from_q() - speed_q * from_v()) / rate;
+        meet.place += std::clamp(along, -gap / 2, gap / 2) * across;
+        meet.shares = has_speeds ? (from_v() + from_q()) / (speed_v + speed_q) : Real(0);
+        return meet;
     }
 
     // Returns the vertex that is left; none if triangles are in the way.
@@ -180,9 +197,18 @@ private:
     std::uint32_t meet_at(const Sight<Real>& sight, std::uint32_t q) {
         const std::uint32_t v = sight.v;
         const Point<Real> middle = (at(v) + at(q)) / Real(2);
-        const std::uint32_t kept =
-            contract(work_, v, q, meeting_place(sight, at(v), sight.front_q));
-        return kept != no_id || sight.is_on_boundary ? kept : contract<Real>(work_, v, q, middle);
+        const Meet meet = meeting_of(sight, at(v), sight.front_q);
+        std::uint32_t kept = contract(work_, v, q, meet.place);
+        if (kept == no_id && !sight.is_on_boundary) {
+            kept = contract<Real>(work_, v, q, middle);
+        }
+        if (kept != no_id) {
+            constexpr auto most = static_cast<Real>(max_shares);
+            TimeAhead<Real>& ahead = work_.ahead[Vertex{kept}];
+            ahead.time = std::clamp(meet.shares, -most, most) * work_.dt;
+            ahead.speed = (sight.speed_v + sight.speed_q) / 2 / work_.dt;
+        }
+        return kept;
     }
 
     // Removes the vertices of the domain boundary between two, on the way from v to q.

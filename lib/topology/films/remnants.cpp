@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/remnants.h"
 
+#include "topology/films/division.h"
 #include "topology/films/last_piece.h"
 
 #include <algorithm>
@@ -144,10 +145,11 @@ private:
             return;
         }
         const Phase phase = complex_.phase_at(start);
-        const Phase to = heir();
-        if (to == phase) {
+        find_heirs();
+        if (heirs_.empty()) {
             return;
         }
+        const Phase to = heirs_.front();
         Event event{.kind = phase == exterior_phase ? EventKind::fill : EventKind::remove,
                     .time = work_.time,
                     .lost = phase,
@@ -161,20 +163,24 @@ private:
         }
         event.x /= event.area;
         event.y /= event.area;
-        const bool is_shared =
-            meet_in_points(phase) && close_last_piece<Real>(work_, piece_, outline_);
-        for (const Triangle t : piece_) {
-            if (!is_shared && complex_.is_alive(t) && complex_.phase(t) == phase) {
-                give(work_, t, to);
+        if (!meet_in_points(phase)) {
+            heirs_.resize(1);
+        }
+        if (heirs_.size() == 1 || !close_last_piece<Real>(work_, piece_, outline_)) {
+            std::erase_if(piece_, [&](Triangle t) {
+                return !complex_.is_alive(t) || complex_.phase(t) != phase;
+            });
+            for (const Share& share : divide_by_arrival<Real>(work_, piece_, heirs_)) {
+                give(work_, share.triangle, share.to);
             }
         }
         work_.events.push_back(event);
         piece_of_.clear(); // the piece is now a part of another one
     }
 
-    // The phase with the longest share of the outline; of two equal ones that with the smaller
-    // number. The piece's own phase if there is none into which it may vanish.
-    Phase heir() const {
+    // The phases into which the piece may vanish. That with the longest share of the outline comes
+    // first, and of two equal ones that with the smaller number.
+    void find_heirs() {
         std::vector<std::pair<Phase, Real>> lengths;
         const Phase phase = complex_.phase_at(outline_.front());
         for (const Corner c : outline_) {
@@ -188,16 +194,13 @@ private:
             auto& entry = at != lengths.end() ? *at : lengths.emplace_back(other, Real(0));
             entry.second += direction(complex_, c).norm();
         }
-        Phase longest = phase;
-        Real length = -1;
-        std::ranges::sort(lengths);
-        for (const auto& [other, its] : lengths) {
-            if (its > length) {
-                longest = other;
-                length = its;
-            }
+        std::ranges::sort(lengths, [](const auto& one, const auto& other) {
+            return std::pair(-one.second, one.first) < std::pair(-other.second, other.first);
+        });
+        heirs_.clear();
+        for (const auto& one : lengths) {
+            heirs_.push_back(one.first);
         }
-        return longest;
     }
 
     TopologyWork<Real>& work_;
@@ -206,6 +209,7 @@ private:
     std::size_t max_triangles_;
     std::vector<Corner> outline_;
     std::vector<Triangle> piece_;                             ///< of the last piece
+    std::vector<Phase> heirs_;                                ///< of the last piece
     std::size_t edges_ = 0;                                   ///< of all its outlines
     std::size_t pieces_ = 0;                                  ///< that have been followed
     std::unordered_map<std::uint32_t, std::size_t> piece_of_; ///< by triangle

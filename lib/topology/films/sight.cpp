@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/sight.h"
 
-#include "dsc/motion/interpolation.h"
 #include "dsc/queries/phases.h"
-#include "topology/films/bridge.h"
+#include "topology/films/front_curve.h"
+#include "topology/films/front_point.h"
 #include "topology/junctions/sectors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dsc {
@@ -23,8 +24,6 @@ constexpr double max_gap_of_fronts = 1.25;
 constexpr double snap = 0.3;
 /// Fronts approach if they come closer by this share of their way.
 constexpr double min_closing = 0.05;
-/// Cosine of the largest turn (45 degrees) within one bend of a front.
-constexpr double bend_cosine = 0.7;
 
 template <class Real>
 class Looking {
@@ -102,22 +101,12 @@ private:
 
     // 0 where fronts must not meet.
     [[nodiscard]] Real contact(Phase film, Phase other) const {
-        const auto rule = rule_of(work_.options, work_.edge_length, film, other);
-        return rule.rule != Topology::change ? Real(0)
-               : is_wide(rule.contact, work_.edge_length)
-                   ? static_cast<Real>(default_contact) * work_.edge_length
-                   : rule.contact;
+        return within_triangles(work_, contact_of(work_, film, other));
     }
 
     [[nodiscard]] static bool faces(const Sector<Real>& sector, const Point<Real>& towards) {
         const double angle = angle_between(sector.ray, towards);
         return angle >= min_angle && sector.angle - angle >= min_angle;
-    }
-    [[nodiscard]] static Point<Real> middle_of(const Sector<Real>& sector) {
-        const auto half = static_cast<Real>(sector.angle / 2);
-        const Point<Real>& ray = sector.ray;
-        return {ray.x() * std::cos(half) - ray.y() * std::sin(half),
-                ray.x() * std::sin(half) + ray.y() * std::cos(half)};
     }
     // The phase beyond the side of the sector that a direction in it is nearer to.
     [[nodiscard]] static Phase beyond(const Sectors<Real>& sectors, std::size_t k,
@@ -162,58 +151,35 @@ private:
         Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
         sight.one = beyond(sectors, k, towards);
         sight.other = phase_beyond(complex_, c);
-        sight.normal_v = normal_of(v, sector);
-        see_curve(c, sight);
+        sight.normal_v = normal_at(complex_, v, sector);
+        if (encloses && !see_pocket(c, sight)) {
+            return;
+        }
+        const CurvePoint<Real> front = curve_at(work_, c, share);
+        sight.front_q = front.place;
+        sight.normal_q = front.normal;
         if (closes(sight, towards, encloses)) {
             best = sight;
         }
     }
 
-    // Whether a front goes smoothly through a vertex: where it turns by more, it has a corner.
-    [[nodiscard]] bool is_one_bend(std::uint32_t v, const Point<Real>& from, const Point<Real>& at,
-                                   const Point<Real>& to) const {
-        return !complex_.is_feature(Vertex{v}) && turns_less<Real>(from, at, to, Real(bend_cosine));
-    }
-
-    // The normal of a front at a vertex, into its sector: that of the parabola through both
-    // neighbours by chord length. The bisector would lean towards the longer edge.
-    [[nodiscard]] Point<Real> normal_of(std::uint32_t v, const Sector<Real>& sector) const {
-        Corner last = sector.first;
-        for (std::size_t i = 1; i < sector.count; ++i) {
-            last = corner_ccw(complex_, last);
+    // A pocket between two fronts at whose corner both end: the vertex is a point of the sheet that
+    // is not the other front's. Returns false if three fronts are around it.
+    bool see_pocket(Corner c, Sight<Real>& sight) const {
+        const std::array edges{next(c), prev(c)};
+        const std::array beyond_them{phase_beyond(complex_, edges[0]),
+                                     phase_beyond(complex_, edges[1])};
+        if (beyond_them[0] == beyond_them[1]) {
+            return true;
         }
-        const Point<Real> from = at(complex_.vertex(next(sector.first)));
-        const Point<Real> to = at(complex_.vertex(prev(last)));
-        if (!is_one_bend(v, from, at(v), to)) {
-            return middle_of(sector);
+        if (beyond_them[0] != sight.other && beyond_them[1] != sight.other) {
+            return false;
         }
-        const Point<Real> back = from - at(v);
-        const Point<Real> ahead = to - at(v);
-        const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
-        return Point<Real>(-tangent.y(), tangent.x()).normalized();
-    }
-
-    // The point and normal of a front at a share of an edge, on the cubic that new vertices lie on:
-    // chords lag behind their arcs.
-    void see_curve(Corner c, Sight<Real>& sight) const {
-        const std::uint32_t a = complex_.vertex(next(c));
-        const std::uint32_t b = complex_.vertex(prev(c));
-        CurveNeighbours<Real> curve{.p1 = at(a), .p2 = at(b)};
-        const Corner after = along_outline(complex_, c);
-        const Corner before = along_outline(complex_, complex_.twin(c));
-        if (phase_beyond(complex_, before) == complex_.phase_at(c)) {
-            curve.p0 = at(complex_.vertex(prev(before)));
-            curve.has_first = is_one_bend(a, curve.p0, curve.p1, curve.p2);
-        }
-        if (phase_beyond(complex_, after) == phase_beyond(complex_, c)) {
-            curve.p3 = at(complex_.vertex(prev(after)));
-            curve.has_last = is_one_bend(b, curve.p1, curve.p2, curve.p3);
-        }
-        constexpr Real beside = Real(0.05); // of the edge
-        const Point<Real> along =
-            curve_point(curve, sight.share + beside) - curve_point(curve, sight.share - beside);
-        sight.front_q = curve_point(curve, sight.share);
-        sight.normal_q = Point<Real>(-along.y(), along.x()).normalized();
+        const std::size_t own = beyond_them[0] == sight.other ? 1 : 0;
+        const Point<Real> along = direction(complex_, edges[own]);
+        sight.one = beyond_them[own];
+        sight.normal_v = Point<Real>(-along.y(), along.x()).normalized();
+        return true;
     }
 
     // Whether an edge from the sector's vertex to another lies within it.
@@ -258,8 +224,8 @@ private:
             Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
             sight.one = beyond(sectors, k, towards);
             sight.other = beyond(there, i, back);
-            sight.normal_v = normal_of(v, sectors[k]);
-            sight.normal_q = normal_of(q, sector);
+            sight.normal_v = normal_at(complex_, v, sectors[k]);
+            sight.normal_q = normal_at(complex_, q, sector);
             sight.front_q = at(q);
             if (closes(sight, towards, false)) {
                 best = sight;
@@ -310,15 +276,6 @@ private:
         }
     }
 
-    [[nodiscard]] std::optional<Point<Real>> way_of(std::uint32_t v) const {
-        return work_.notes[Vertex{v}].round == work_.round
-                   ? std::optional<Point<Real>>(at(v) - place_before(work_, v))
-                   : std::nullopt;
-    }
-    [[nodiscard]] bool is_blocked(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & vertex_contact) != 0;
-    }
-
     // Whether the fronts meet now, or would in another sub-step like the last one; notes their
     // speeds. A pocket closes in any case.
     bool closes(Sight<Real>& sight, const Point<Real>& towards, bool is_enclosed) const {
@@ -329,34 +286,32 @@ private:
             sight.film == sight.other) {
             return false;
         }
-        std::optional<Point<Real>> other_way;
-        bool is_held = is_blocked(sight.v);
-        if (sight.q != no_id) {
-            other_way = way_of(sight.q);
-            is_held = is_held || is_blocked(sight.q);
-        } else {
-            const std::uint32_t a = complex_.vertex(next(sight.edge));
-            const std::uint32_t b = complex_.vertex(prev(sight.edge));
-            const auto way_a = way_of(a);
-            const auto way_b = way_of(b);
-            other_way =
-                way_a && way_b
-                    ? std::optional<Point<Real>>((1 - sight.share) * *way_a + sight.share * *way_b)
-                : way_a ? way_a
-                        : way_b;
-            is_held = is_held || is_blocked(a) || is_blocked(b);
-        }
-        const auto own_way = way_of(sight.v);
+        const FrontPoint<Real> own = front_point<Real>(sight.v);
+        const FrontPoint<Real> other = sight.q != no_id
+                                           ? front_point<Real>(sight.q)
+                                           : front_point(complex_, sight.edge, sight.share);
+        const auto own_way = way_of(work_, own);
+        const auto other_way = way_of(work_, other);
         const Point<Real> none = Point<Real>::Zero();
-        sight.speed_v = own_way.value_or(none).dot(sight.normal_v);
-        sight.speed_q = other_way.value_or(none).dot(sight.normal_q);
         const Real closing = (own_way.value_or(none) - other_way.value_or(none)).dot(towards);
         const Real way = own_way.value_or(none).norm() + other_way.value_or(none).norm();
-        if (is_held) {
-            sight.speed_v = sight.speed_q = 1;
-        } else if (!is_enclosed && work_.options.opening == Opening::squeezed &&
-                   !(own_way && other_way && closing > static_cast<Real>(min_closing) * way)) {
+        const bool has_blocked = is_blocked(work_, own) || is_blocked(work_, other);
+        if (!has_blocked && !is_enclosed && work_.options.opening == Opening::squeezed &&
+            !(own_way && other_way && closing > static_cast<Real>(min_closing) * way)) {
             return false;
+        }
+        const auto speed_v = speed_of(work_, own, sight.normal_v);
+        const auto speed_q = speed_of(work_, other, sight.normal_q);
+        sight.speed_v = speed_v.value_or(speed_q.value_or(Real(0)));
+        sight.speed_q = speed_q.value_or(speed_v.value_or(Real(0)));
+        sight.lead_v = lead_of(work_, own, sight.normal_v, sight.speed_v);
+        if (sight.q != no_id) {
+            sight.lead_q = lead_of(work_, other, sight.normal_q, sight.speed_q);
+        } else {
+            const CurvePoint<Real> front =
+                curve_now(work_, sight.edge, sight.share, sight.normal_q, sight.speed_q);
+            sight.front_q = front.place;
+            sight.normal_q = front.normal;
         }
         return is_enclosed || sight.gap < std::max(reach, closing);
     }

@@ -24,9 +24,11 @@ struct Sight {
     Phase other = 0;                            ///< beyond q
     Point<Real> normal_v = Point<Real>::Zero(); ///< of the fronts, into the film
     Point<Real> normal_q = Point<Real>::Zero(); ///< the same at q
-    Real speed_v = 0;                           ///< ways along the normals in the last sub-step
+    Real speed_v = 0;                           ///< ways along the normals in a whole sub-step
     Real speed_q = 0;                           ///< the same at q
-    bool is_on_boundary = false;                ///< both lie on the domain boundary
+    Real lead_v = 0;             ///< by which v is ahead of its front, along its normal
+    Real lead_q = 0;             ///< the same at q
+    bool is_on_boundary = false; ///< both lie on the domain boundary
 };
 
 /// The arrays of one thread.

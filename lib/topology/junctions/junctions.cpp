@@ -19,6 +19,8 @@ namespace {
 constexpr double t1_length = 0.15;
 /// Bounds the rounds if splits never end; two or three rounds are normally enough.
 constexpr int max_rounds = 8;
+/// Slender triangles lie in clusters: what is mended lets the stars around it be mended, too.
+constexpr int rounds_around = 3;
 
 // Sorts the vertices that are alive by position, which does not depend on the division of the mesh,
 // and removes duplicates.
@@ -38,6 +40,21 @@ std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Verte
         list.push_back(Vertex{std::get<2>(one)});
     }
     return list;
+}
+
+// The vertices that are alive and those around them, in order.
+template <class Real>
+std::vector<Vertex> with_links(const Complex<Real>& complex, std::vector<Vertex> vertices) {
+    const std::size_t size = vertices.size();
+    for (std::size_t i = 0; i < size; ++i) {
+        if (complex.is_alive(vertices[i])) {
+            for_each_corner(complex, vertices[i], [&](Corner c) {
+                vertices.push_back(Vertex{complex.vertex(next(c))});
+                vertices.push_back(Vertex{complex.vertex(prev(c))});
+            });
+        }
+    }
+    return in_order<Real>(complex, vertices);
 }
 
 template <class Real>
@@ -264,21 +281,13 @@ void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
         }
         mended.insert(mended.end(), work.touched.begin(), work.touched.end());
     }
-    const std::size_t touched = mended.size();
-    for (std::size_t i = 0; i < touched; ++i) {
-        if (work.complex.is_alive(mended[i])) {
-            for_each_corner(work.complex, mended[i], [&](Corner c) {
-                mended.push_back(Vertex{work.complex.vertex(next(c))});
-                mended.push_back(Vertex{work.complex.vertex(prev(c))});
-            });
+    mended = with_links<Real>(work.complex, with_links<Real>(work.complex, mended));
+    for (int round = 0; round < rounds_around && !mended.empty(); ++round) {
+        for (const Vertex v : mended) { // some may have been removed from other stars by then
+            collapse_short_sheets(work, v);
         }
-    }
-    mended = in_order<Real>(work.complex, mended);
-    for (const Vertex v : mended) { // some may have been removed from other stars by then
-        collapse_short_sheets(work, v);
-    }
-    for (const Vertex v : mended) {
-        mend_star(work, v);
+        std::erase_if(mended, [&](Vertex v) { return !mend_star(work, v); });
+        mended = with_links<Real>(work.complex, mended);
     }
 }
 

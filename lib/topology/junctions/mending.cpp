@@ -22,6 +22,11 @@ constexpr double poor_star = 0.02;   ///< squared quality that a removal may lea
 constexpr int rounds_of_mending = 7;
 /// In edge lengths: shorter sheets end in needles.
 constexpr double short_sheet = 0.1;
+/// The same on a seam at rest, to which remeshing does not come any more.
+constexpr double short_seam = 0.2;
+/// A short sheet goes even if the worst triangle becomes flatter by this factor: where a junction
+/// has two short sheets, the first to go leaves the needle of the other.
+constexpr double flatter = 0.7;
 
 template <class Real>
 class Mending {
@@ -29,7 +34,8 @@ public:
     explicit Mending(TopologyWork<Real>& work)
         : work_(work), complex_(work.complex), submesh_(work.complex) {}
 
-    void run(Vertex v) {
+    bool run(Vertex v) {
+        bool has_mended = false;
         for (int round = 0; round < rounds_of_mending && complex_.is_alive(v); ++round) {
             Corner worst = no_id;
             auto min_height = static_cast<Real>(slender_star);
@@ -40,9 +46,11 @@ public:
                 }
             });
             if (worst == no_id || !mend(worst)) {
-                return;
+                break;
             }
+            has_mended = true;
         }
+        return has_mended;
     }
 
 private:
@@ -152,9 +160,7 @@ template <class Real>
 bool is_plain(const Complex<Real>& complex, std::uint32_t v, const SheetEnds& ends) {
     return ends.number == 2 && !complex.is_locked(Vertex{v}) &&
            (complex.vertices[v].flags & (vertex_contact | vertex_on_way)) == 0 &&
-           find_corner(complex, Vertex{v}, [&](Corner c) {
-               return is_border(complex.twin(prev(c))) || is_border(complex.twin(next(c)));
-           }) == no_id;
+           !is_on_boundary(complex, Vertex{v});
 }
 
 // Collapses the end of a short sheet into its start, the vertex at corner `c`. The next vertex of
@@ -206,7 +212,7 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
             }
         });
     }
-    if (!(after > before) || !is_positive) {
+    if (!(after >= static_cast<Real>(flatter) * before) || !is_positive) {
         return false;
     }
     rewire::collapse(complex, complex.journal, prev(c), rewire::Vanishing::prev, complex.ids);
@@ -217,25 +223,34 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
 } // namespace
 
 template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v) {
-    Mending<Real>(work).run(v);
+bool mend_star(TopologyWork<Real>& work, Vertex v) {
+    return Mending<Real>(work).run(v);
 }
 
 template <class Real>
 void collapse_short_sheets(TopologyWork<Real>& work, Vertex v) {
     const Complex<Real>& complex = work.complex;
-    const Real shortest = static_cast<Real>(short_sheet) * work.edge_length;
+    const auto is_at_rest = [&](Corner end) { // or new
+        const Vertex w{complex.vertex(end)};
+        return work.notes[w].round != work.round || place_before(work, w.id) == complex.position(w);
+    };
+    const auto is_short = [&](Corner sheet) {
+        const bool is_seam = complex.phase_at(sheet) != exterior_phase &&
+                             phase_beyond(complex, sheet) != exterior_phase &&
+                             (is_at_rest(next(sheet)) || is_at_rest(prev(sheet)));
+        const Real shortest =
+            static_cast<Real>(is_seam ? short_seam : short_sheet) * work.edge_length;
+        return direction(complex, sheet).squaredNorm() < shortest * shortest;
+    };
     const auto collapses = [&](Corner c) {
-        return is_sheet(complex, prev(c)) &&
-               direction(complex, prev(c)).squaredNorm() < shortest * shortest &&
-               collapse_short_sheet(work, c);
+        return is_sheet(complex, prev(c)) && is_short(prev(c)) && collapse_short_sheet(work, c);
     };
     while (complex.is_alive(v) && find_corner(complex, v, collapses) != no_id) {
     }
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template void mend_star(TopologyWork<Real>&, Vertex);                                          \
+    template bool mend_star(TopologyWork<Real>&, Vertex);                                          \
     template void collapse_short_sheets(TopologyWork<Real>&, Vertex);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

@@ -7,15 +7,16 @@
 namespace dsc {
 
 /// Mends the slender triangles in the star of a vertex: flips edges, and removes or moves vertices
-/// inside phases, as long as that is better. Does nothing if the vertex is not alive. No interface
-/// vertex moves, so that all phases keep their areas. O(degrees).
+/// inside phases, as long as that is better. Returns whether it did anything; the vertex need not
+/// be alive. No interface vertex moves, so that all phases keep their areas. O(degrees).
 template <class Real>
-void mend_star(TopologyWork<Real>& work, Vertex v);
+bool mend_star(TopologyWork<Real>& work, Vertex v);
 
 /// Collapses into a vertex the interface vertices that sheets join to it with less than a tenth of
-/// the edge length, if that leaves better triangles: vertices on one curve, features only into
-/// junctions and ends of curves. The next vertex of the curve moves as far as keeps the areas of
-/// both phases; a sheet without such a vertex stays. O(degrees).
+/// the edge length, or a fifth on seams at rest, unless that leaves much flatter triangles:
+/// vertices on one curve, features only into junctions and ends of curves. The next vertex of the
+/// curve moves as far as keeps the areas of both phases; a sheet without such a vertex stays.
+/// O(degrees).
 template <class Real>
 void collapse_short_sheets(TopologyWork<Real>& work, Vertex v);
 

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "topology/films/front_curve.h"
+
+#include "dsc/motion/interpolation.h"
+#include "topology/films/front_point.h"
+
+#include <cmath>
+
+namespace dsc {
+
+namespace {
+
+/// Cosine of the largest turn (45 degrees) within one bend of a front.
+constexpr double bend_cosine = 0.7;
+
+// Whether a front goes smoothly through a vertex: where it turns by more, it has a corner.
+template <class Real>
+bool is_one_bend(const Complex<Real>& complex, std::uint32_t v, const Point<Real>& from,
+                 const Point<Real>& at, const Point<Real>& to) {
+    return !complex.is_feature(Vertex{v}) && turns_less<Real>(from, at, to, Real(bend_cosine));
+}
+
+// `place(v)`: where a vertex counts as being.
+template <class Real, class Place>
+CurvePoint<Real> point_of_cubic(const Complex<Real>& complex, Corner edge, Real share,
+                                const Place& place) {
+    const std::uint32_t a = complex.vertex(next(edge));
+    const std::uint32_t b = complex.vertex(prev(edge));
+    CurveNeighbours<Real> curve{.p1 = place(a), .p2 = place(b)};
+    const Corner after = along_outline(complex, edge);
+    const Corner before = along_outline(complex, complex.twin(edge));
+    if (phase_beyond(complex, before) == complex.phase_at(edge)) {
+        curve.p0 = place(complex.vertex(prev(before)));
+        curve.has_first = is_one_bend(complex, a, curve.p0, curve.p1, curve.p2);
+    }
+    if (phase_beyond(complex, after) == phase_beyond(complex, edge)) {
+        curve.p3 = place(complex.vertex(prev(after)));
+        curve.has_last = is_one_bend(complex, b, curve.p1, curve.p2, curve.p3);
+    }
+    constexpr Real beside = Real(0.05); // of the edge
+    const Point<Real> along =
+        curve_point(curve, share + beside) - curve_point(curve, share - beside);
+    return {curve_point(curve, share), Point<Real>(-along.y(), along.x()).normalized()};
+}
+
+} // namespace
+
+template <class Real>
+Corner last_of(const Complex<Real>& complex, const Sector<Real>& sector) {
+    Corner last = sector.first;
+    for (std::size_t i = 1; i < sector.count; ++i) {
+        last = corner_ccw(complex, last);
+    }
+    return last;
+}
+
+template <class Real>
+Point<Real> middle_of(const Sector<Real>& sector) {
+    const auto half = static_cast<Real>(sector.angle / 2);
+    const Point<Real>& ray = sector.ray;
+    return {ray.x() * std::cos(half) - ray.y() * std::sin(half),
+            ray.x() * std::sin(half) + ray.y() * std::cos(half)};
+}
+
+template <class Real>
+Point<Real> normal_at(const Complex<Real>& complex, std::uint32_t v, const Sector<Real>& sector) {
+    const auto at = [&](std::uint32_t w) { return complex.position(Vertex{w}); };
+    const Point<Real> from = at(complex.vertex(next(sector.first)));
+    const Point<Real> to = at(complex.vertex(prev(last_of(complex, sector))));
+    if (!is_one_bend<Real>(complex, v, from, at(v), to)) {
+        return middle_of(sector);
+    }
+    const Point<Real> back = from - at(v);
+    const Point<Real> ahead = to - at(v);
+    const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
+    return Point<Real>(-tangent.y(), tangent.x()).normalized();
+}
+
+template <class Real>
+CurvePoint<Real> curve_at(const TopologyWork<Real>& work, Corner edge, Real share) {
+    return point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
+        return work.complex.position(Vertex{v});
+    });
+}
+
+template <class Real>
+CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
+                           const Point<Real>& normal, Real speed) {
+    return point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
+        return work.complex.position(Vertex{v}) -
+               lead_of(work, front_point<Real>(v), normal, speed) * normal;
+    });
+}
+
+#define DSC_INSTANTIATE(Real)                                                                      \
+    template Corner last_of(const Complex<Real>&, const Sector<Real>&);                            \
+    template Point<Real> middle_of(const Sector<Real>&);                                           \
+    template Point<Real> normal_at(const Complex<Real>&, std::uint32_t, const Sector<Real>&);      \
+    template CurvePoint<Real> curve_at(const TopologyWork<Real>&, Corner, Real);                   \
+    template CurvePoint<Real> curve_now(const TopologyWork<Real>&, Corner, Real,                   \
+                                        const Point<Real>&, Real);
+DSC_INSTANTIATE(double)
+DSC_INSTANTIATE(float)
+#undef DSC_INSTANTIATE
+
+} // namespace dsc
