@@ -64,7 +64,8 @@ TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
         const Result result = run({.number = 40, .seed = seed, .h = 0.02});
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         EXPECT_EQ(result.unreached, 0U) << seed;
-        EXPECT_GT(result.min_angle_last, 4) << seed;
+        EXPECT_GT(result.min_angle_last, 5) << seed;
+        EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         sum += result.last.wrong_area;
     }
     EXPECT_LT(sum / 3, 3e-3);

@@ -288,9 +288,8 @@ void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_ta
     if (!meet_in_points(film_) || work_.options.gives_back_area) {
         return;
     }
-    std::vector<Phase> takers;
+    std::vector<Phase> takers = this->takers();
     for (const Triangle t : order_) {
-        takers.push_back(entries_.at(t.id).to);
         for (std::uint32_t k = 0; k < 3; ++k) { // a front beside the film, without a ray
             const Corner side = corner_of(t.id, k);
             const Phase beyond = phase_beyond(work_.complex, side);
@@ -301,7 +300,6 @@ void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_ta
         }
     }
     std::ranges::sort(takers);
-    takers.erase(std::unique(takers.begin(), takers.end()), takers.end());
     if (takers.size() < 2) {
         return;
     }
@@ -311,6 +309,17 @@ void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_ta
     for (const Share& share : shares) {
         offer(share.triangle, share.to, Real(0));
     }
+}
+
+template <class Real>
+std::vector<Phase> FilmRegion<Real>::takers() const {
+    std::vector<Phase> takers;
+    for (const Triangle t : order_) {
+        takers.push_back(entries_.at(t.id).to);
+    }
+    std::ranges::sort(takers);
+    takers.erase(std::unique(takers.begin(), takers.end()), takers.end());
+    return takers;
 }
 
 template <class Real>

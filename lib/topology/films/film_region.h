@@ -38,6 +38,8 @@ public:
     /// Straightens the ends of the region. The vertices there are inside the film, so no phase's
     /// area changes. O(number of triangles), a few times.
     void smooth();
+    /// The phases that take parts of the region, ascending. O(number of triangles).
+    [[nodiscard]] std::vector<Phase> takers() const;
     /// Divides the region anew if several phases take parts of it (division.h): also those whose
     /// fronts are beside it without a ray, if they may take a triangle there.
     void divide(const std::function<bool(Triangle, Phase)>& may_take);

@@ -147,15 +147,31 @@ private:
         }
         FilmRegion<Real> region =
             region_of(work_.options.follows_seams ? chords_ : std::vector{film});
-        Event event = event_at(film, kind_of(film, region));
-        event.area = region.give_all();
-        work_.events.push_back(event);
+        give_all(region, event_at(film, kind_of(film, region)));
     }
 
     void widen() {
-        Event event = event_at(*std::ranges::min_element(seams_, is_thinner), EventKind::widen);
-        event.area = region_of(seams_).give_all();
+        FilmRegion<Real> region = region_of(seams_);
+        give_all(region, event_at(*std::ranges::min_element(seams_, is_thinner), EventKind::widen));
+    }
+
+    // The rest of a film may reach to other fronts, which take their parts of it.
+    void give_all(FilmRegion<Real>& region, Event event) {
+        std::vector<Event> others;
+        for (const Phase taker : region.takers()) {
+            if (std::ranges::find(event.taken, taker) == event.taken.end()) {
+                others.push_back(event);
+                others.back().kind = EventKind::widen;
+                others.back().taken = {taker, taker};
+                others.back().area = region.area_of(taker);
+            }
+        }
+        event.area = region.give_all();
+        for (const Event& other : others) {
+            event.area -= other.area;
+        }
         work_.events.push_back(event);
+        work_.events.insert(work_.events.end(), others.begin(), others.end());
     }
 
     FilmRegion<Real> region_of(const std::vector<Chord<Real>>& chords) {
@@ -170,6 +186,16 @@ private:
         region.fill([](Triangle, Phase) { return false; });
         region.smooth();
         region.fill_notches();
+        const Phase film = complex_.phase_at(chords.front().sheet);
+        region.divide([&](Triangle t, Phase to) {
+            const Point<double> place = centroid(complex_, t).template cast<double>();
+            return contact_of(work_, film, to) > 0 &&
+                   may_open(work_, {.film = film,
+                                    .sides = {to, to},
+                                    .x = place.x(),
+                                    .y = place.y(),
+                                    .thickness = static_cast<double>(thickness(complex_, t))});
+        });
         return region;
     }
 
