@@ -30,6 +30,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
         is_wide(largest_contact(work.options, work.edge_length), work.edge_length);
     const std::size_t first_mended = has_wide ? work.touched.size() : 0;
     land_junctions(work, candidates);
+    land_vertices(work, candidates);
     if (!work.touched.empty()) {
         chords = find_chords(work); // films that opened have changed the interface
     }
