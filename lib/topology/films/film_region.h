@@ -41,7 +41,8 @@ public:
     /// The phases that take parts of the region, ascending. O(number of triangles).
     [[nodiscard]] std::vector<Phase> takers() const;
     /// Divides the region anew if several phases take parts of it (division.h): also those whose
-    /// fronts are beside it without a ray, if they may take a triangle there.
+    /// fronts are beside it without a ray, if they may take a triangle there. Edges are split, so
+    /// corners of half-edges change.
     void divide(const std::function<bool(Triangle, Phase)>& may_take);
     /// The area that the phase will take. O(number of triangles).
     [[nodiscard]] double area_of(Phase taker) const;

@@ -155,8 +155,18 @@ private:
         give_all(region, event_at(*std::ranges::min_element(seams_, is_thinner), EventKind::widen));
     }
 
-    // The rest of a film may reach to other fronts, which take their parts of it.
+    // The rest of a film may reach to other fronts, which take their parts of it. The event is made
+    // before, because edges are split, and with them the corners of half-edges change.
     void give_all(FilmRegion<Real>& region, Event event) {
+        region.divide([&](Triangle t, Phase to) {
+            const Point<double> place = centroid(complex_, t).template cast<double>();
+            return contact_of(work_, event.lost, to) > 0 &&
+                   may_open(work_, {.film = event.lost,
+                                    .sides = {to, to},
+                                    .x = place.x(),
+                                    .y = place.y(),
+                                    .thickness = static_cast<double>(thickness(complex_, t))});
+        });
         std::vector<Event> others;
         for (const Phase taker : region.takers()) {
             if (std::ranges::find(event.taken, taker) == event.taken.end()) {
@@ -186,16 +196,6 @@ private:
         region.fill([](Triangle, Phase) { return false; });
         region.smooth();
         region.fill_notches();
-        const Phase film = complex_.phase_at(chords.front().sheet);
-        region.divide([&](Triangle t, Phase to) {
-            const Point<double> place = centroid(complex_, t).template cast<double>();
-            return contact_of(work_, film, to) > 0 &&
-                   may_open(work_, {.film = film,
-                                    .sides = {to, to},
-                                    .x = place.x(),
-                                    .y = place.y(),
-                                    .thickness = static_cast<double>(thickness(complex_, t))});
-        });
         return region;
     }
 
