@@ -3,12 +3,12 @@
 
 #include "topology/films/boundary_films.h"
 #include "topology/films/films.h"
-#include "topology/films/junction_landing.h"
-#include "topology/films/landing.h"
-#include "topology/films/meeting.h"
 #include "topology/films/remnants.h"
+#include "topology/fronts/meeting.h"
 #include "topology/give_back.h"
 #include "topology/junctions/junctions.h"
+#include "topology/landing/junction_landing.h"
+#include "topology/landing/landing.h"
 
 #include <algorithm>
 
@@ -22,22 +22,23 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
         }
     }
     std::ranges::sort(work.blocked);
+    land_junctions(work, candidates);
+    land_vertices(work, candidates);
     Chords<Real> chords = find_chords(work);
+    const std::size_t first_opened = work.touched.size();
     open_films<Real>(work, chords.list);
     // What wide films leave slender is mended by the next sub-steps, as their vertices go on
     // moving.
     const bool has_wide =
         is_wide(largest_contact(work.options, work.edge_length), work.edge_length);
     const std::size_t first_mended = has_wide ? work.touched.size() : 0;
-    land_junctions(work, candidates);
-    if (!work.touched.empty()) {
+    if (work.touched.size() > first_opened) {
         chords = find_chords(work); // films that opened have changed the interface
     }
     open_boundary_films(work, std::move(chords.list));
     if (chords.has_fronts) {
         meet_fronts(work);
     }
-    land_vertices(work, candidates);
     change_junctions(work, candidates);
     remove_remnants(work, candidates);
     split_touched(work, first_mended);

@@ -40,7 +40,7 @@ struct Missed {
 };
 
 template <class Real>
-struct SightScratch; // films/sight.h
+struct SightScratch; // fronts/sight.h
 
 /// The state that changes of topology work on.
 template <class Real>
@@ -108,6 +108,13 @@ template <class Real>
 /// Whether fronts of different phases that displace this one meet in points (meeting.h): those that
 /// grow into the exterior do. A thin phase among others is a grain that vanishes; it is relabelled.
 [[nodiscard]] constexpr bool meet_in_points(Phase film) { return film == exterior_phase; }
+
+/// Whether fronts displace the film. Where phases keep their areas, they displace nothing: what is
+/// taken is given back. O(1).
+template <class Real>
+[[nodiscard]] bool is_displaced(const TopologyWork<Real>& work, Phase film) {
+    return meet_in_points(film) && !work.options.gives_back_area;
+}
 
 /// The phase on the right of the half-edge.
 template <class Real>

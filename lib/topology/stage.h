@@ -7,7 +7,7 @@
 #include "dsc/passes/algorithm.h"
 #include "topology/candidates.h"
 #include "topology/events.h"
-#include "topology/films/sight.h"
+#include "topology/fronts/sight.h"
 #include "topology/notes.h"
 #include "topology/options.h"
 #include "topology/region.h"

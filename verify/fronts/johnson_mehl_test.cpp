@@ -57,10 +57,11 @@ TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
     expect_less({.number = 3, .h = 0.01}, 1.4e-4);
 }
 
-// Discs as small as an edge are round all the same.
+// Discs as small as an edge are round all the same. In the last two squares a front comes to a side
+// a sub-step before the next one does: the end that its film leaves there must wait for it.
 TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
     double sum = 0;
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 21U, 25U}) {
         const Result result = run({.number = 40, .seed = seed, .h = 0.02});
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         EXPECT_EQ(result.unreached, 0U) << seed;
@@ -68,7 +69,7 @@ TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
         EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         sum += result.last.wrong_area;
     }
-    EXPECT_LT(sum / 3, 3e-3);
+    EXPECT_LT(sum / 5, 3e-3);
 }
 
 TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
@@ -98,6 +99,14 @@ TEST(JohnsonMehl, ASeamEndsWhereItReachesASide) {
     EXPECT_GT(result.min_angle_last, 5);
     EXPECT_LT(result.last.wrong_area, 3.3e-4);
     EXPECT_LT(result.last.seam_max, 0.5 * 0.01);
+}
+
+// Ends that run along a side at a flat angle leave its edges behind them as fine as they were: flat
+// triangles on coarse ones would be split again and again, down to the smallest numbers.
+TEST(JohnsonMehl, AFrontThatComesToASideAtAFlatAngleLeavesItFine) {
+    const Result result = run({.number = 2, .seed = 15, .h = 0.005});
+    EXPECT_TRUE(result.is_full && result.is_valid);
+    EXPECT_GT(result.min_angle_last, 10);
 }
 
 } // namespace

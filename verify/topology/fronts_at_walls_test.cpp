@@ -5,10 +5,10 @@
 #include "dsc/initial/initial_complex.h"
 #include "dsc/queries/phases.h"
 #include "dsc/queries/validate.h"
-#include "topology/films/division.h"
-#include "topology/films/junction_landing.h"
-#include "topology/films/landing.h"
+#include "topology/fronts/division.h"
 #include "topology/junctions/mending.h"
+#include "topology/landing/junction_landing.h"
+#include "topology/landing/landing.h"
 
 #include <gtest/gtest.h>
 

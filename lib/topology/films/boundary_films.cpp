@@ -263,7 +263,7 @@ private:
         region.fill(asked);
         region.smooth();
         region.fill_notches();
-        region.divide(asked);
+        is_refined_ = region.divide(asked) || is_refined_;
         for (Event& event : events) {
             event.area = region.area_of(event.taken[0]);
             if (event.area > 0) { // another front may have been there first

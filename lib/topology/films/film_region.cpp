@@ -5,10 +5,14 @@
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/division.h"
+#include "dsc/queries/phases.h"
 #include "topology/films/film_ray.h"
+#include "topology/fronts/arrival.h"
+#include "topology/fronts/division.h"
+#include "topology/fronts/front_point.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_set>
 
@@ -210,7 +214,7 @@ Phase FilmRegion<Real>::phase_later(Triangle t) const {
 }
 
 template <class Real>
-void FilmRegion<Real>::smooth() {
+std::vector<Vertex> FilmRegion<Real>::vertices() const {
     std::vector<Vertex> list;
     std::unordered_set<std::uint32_t> listed;
     for (const Triangle t : order_) {
@@ -220,6 +224,12 @@ void FilmRegion<Real>::smooth() {
             }
         }
     }
+    return list;
+}
+
+template <class Real>
+void FilmRegion<Real>::smooth() {
+    const std::vector<Vertex> list = vertices();
     for (int round = 0; round < smoothing_rounds; ++round) {
         std::ranges::for_each(list, [&](Vertex v) { straighten(v); });
     }
@@ -283,10 +293,9 @@ bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const
 }
 
 template <class Real>
-void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_take) {
-    // Where phases keep their areas, fronts displace nothing: what is taken is given back.
-    if (!meet_in_points(film_) || work_.options.gives_back_area) {
-        return;
+bool FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_take) {
+    if (!is_displaced(work_, film_)) {
+        return false;
     }
     std::vector<Phase> takers = this->takers();
     for (const Triangle t : order_) {
@@ -301,14 +310,16 @@ void FilmRegion<Real>::divide(const std::function<bool(Triangle, Phase)>& may_ta
     }
     std::ranges::sort(takers);
     if (takers.size() < 2) {
-        return;
+        return false;
     }
     const std::vector<Share> shares = divide_by_arrival<Real>(work_, order_, takers);
+    const bool is_split = shares.size() > order_.size();
     entries_.clear();
     order_.clear();
     for (const Share& share : shares) {
         offer(share.triangle, share.to, Real(0));
     }
+    return is_split;
 }
 
 template <class Real>
@@ -335,13 +346,45 @@ double FilmRegion<Real>::area_of(Phase taker) const {
 
 template <class Real>
 double FilmRegion<Real>::give_all() {
+    const std::vector<Waiting> waiting = find_waiting();
     double area = 0;
     for (const Triangle t : order_) {
         area += static_cast<double>(doubled_area(work_.complex, t)) / 2;
         give(work_, t, entries_.at(t.id).to);
         mark_seam(work_, t);
     }
+    for (const Vertex v : vertices()) {
+        if (!is_interface(work_.complex, v)) {
+            work_.ahead[v] = {};
+        }
+    }
+    for (const Waiting& one : waiting) {
+        if (is_interface(work_.complex, one.vertex)) {
+            put_ahead(work_, one.vertex.id, one.shares, one.speed);
+        }
+    }
     return area;
+}
+
+// The vertices that only the change may put on the interface: fronts reach them later. At a wide
+// contact distance they are there as soon as the application wishes.
+template <class Real>
+auto FilmRegion<Real>::find_waiting() const -> std::vector<Waiting> {
+    std::vector<Waiting> waiting;
+    if (!is_displaced(work_, film_) || is_wide(contact_, work_.edge_length)) {
+        return waiting;
+    }
+    const Arrival<Real> fronts(work_, order_);
+    const Real speed = fronts.mean_speed();
+    for (const Triangle t : order_) {
+        for (const Vertex v : work_.complex.vertices_of(t)) {
+            const Real way = fronts.way_of(entries_.at(t.id).to, work_.complex.position(v));
+            if (speed > 0 && std::isfinite(way) && !is_interface(work_.complex, v)) {
+                waiting.push_back({v, way / speed, speed});
+            }
+        }
+    }
+    return waiting;
 }
 
 template bool refine_film(TopologyWork<double>&, const std::array<Vertex, 2>&, double);

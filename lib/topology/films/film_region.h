@@ -41,13 +41,14 @@ public:
     /// The phases that take parts of the region, ascending. O(number of triangles).
     [[nodiscard]] std::vector<Phase> takers() const;
     /// Divides the region anew if several phases take parts of it (division.h): also those whose
-    /// fronts are beside it without a ray, if they may take a triangle there. Edges are split, so
-    /// corners of half-edges change.
-    void divide(const std::function<bool(Triangle, Phase)>& may_take);
+    /// fronts are beside it without a ray, if they may take a triangle there. Returns whether edges
+    /// were split: then corners of half-edges have changed.
+    bool divide(const std::function<bool(Triangle, Phase)>& may_take);
     /// The area that the phase will take. O(number of triangles).
     [[nodiscard]] double area_of(Phase taker) const;
     /// Gives all triangles to their new phases and returns their area. Their vertices are then
-    /// marked as lying on a seam.
+    /// marked as lying on a seam; where the interface is ahead of its fronts now, it waits for
+    /// them.
     double give_all();
 
     [[nodiscard]] bool contains(Triangle t) const { return entries_.contains(t.id); }
@@ -58,6 +59,14 @@ private:
         Real distance; ///< from the nearest sheet, along a ray
     };
 
+    struct Waiting {
+        Vertex vertex;
+        Real shares; ///< of a sub-step, for a front that goes so far in a whole one
+        Real speed;
+    };
+
+    [[nodiscard]] std::vector<Vertex> vertices() const;
+    [[nodiscard]] std::vector<Waiting> find_waiting() const;
     void offer(Triangle t, Phase to, Real distance);
     [[nodiscard]] bool is_rest(Triangle t) const;
     [[nodiscard]] bool is_small_piece(Triangle start);

@@ -6,7 +6,7 @@
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/front_point.h"
+#include "topology/fronts/front_point.h"
 #include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "topology/films/remnants.h"
 
-#include "topology/films/division.h"
 #include "topology/films/last_piece.h"
+#include "topology/fronts/division.h"
 
 #include <algorithm>
 #include <array>

@@ -15,6 +15,9 @@ namespace {
 
 /// Squared quality below which a triangle counts as flat.
 constexpr double poor_squared = 0.0025;
+/// Longest edge that a removal leaves on the boundary, in edge lengths. Until remeshing comes to a
+/// longer one, flat triangles on it are split at their other edges, again and again.
+constexpr double longest_on_boundary = 2;
 /// The largest number of vertices removed to make room.
 constexpr int max_removed = 6;
 
@@ -193,6 +196,12 @@ bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_qualit
         find_corner(complex, vertex, [&](Corner c) {
             return complex.phase_at(c) != complex.phase_at(first);
         }) != no_id) {
+        return false;
+    }
+    const auto longest = static_cast<Real>(longest_on_boundary) * work.edge_length;
+    const Point<Real> chord = complex.position(Vertex{complex.vertex(next(first))}) -
+                              complex.position(Vertex{complex.vertex(prev(last))});
+    if (chord.squaredNorm() > longest * longest) {
         return false;
     }
     const Submesh<Real> submesh(complex);

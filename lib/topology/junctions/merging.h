@@ -29,7 +29,7 @@ bool remove_inside(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 
 /// Collapses a vertex of the domain boundary, with one phase around it, along the boundary. Returns
 /// false if that is illegal, or would leave a triangle whose squared quality is not above
-/// `min_quality`. O(degree).
+/// `min_quality`, or a long edge on the boundary. O(degree).
 template <class Real>
 bool remove_on_boundary(TopologyWork<Real>& work, Vertex vertex, Real min_quality);
 

@@ -96,13 +96,18 @@ private:
     }
 
     // A short boundary edge that blocks the end of a curve, or a vertex that slides into a corner
-    // of the domain, is collapsed even if the merged edge is so long that it is split again.
+    // of the domain, is collapsed even if the merged edge is so long that it is split again. Behind
+    // an end that slides away the edge is short, too; there it is long already.
     bool may_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& boundary) {
         if (!should_collapse_on_boundary(complex_, star, boundary)) {
             return false;
         }
-        if (merged_on_boundary(star) < boundary.longest) {
+        const Real merged = merged_on_boundary(star);
+        if (merged < boundary.longest) {
             return true;
+        }
+        if (std::sqrt(merged) > std::sqrt(boundary.longest) + std::sqrt(boundary.blocking)) {
+            return false;
         }
         const bool is_first =
             boundary_edge(star, true).squared < boundary_edge(star, false).squared;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/landing.h"
+#include "topology/landing/landing.h"
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/slits.h"
 #include "topology/junctions/merging.h"
+#include "topology/landing/slits.h"
 
 #include <algorithm>
 #include <cmath>

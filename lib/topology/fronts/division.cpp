@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/division.h"
+#include "topology/fronts/division.h"
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/fronts/arrival.h"
 
 #include <algorithm>
 #include <array>
@@ -28,11 +29,11 @@ class Division {
 public:
     Division(TopologyWork<Real>& work, std::span<const Triangle> part,
              std::span<const Phase> takers)
-        : work_(work), complex_(work.complex), takers_(takers), order_(part.begin(), part.end()) {
+        : work_(work), complex_(work.complex), takers_(takers), order_(part.begin(), part.end()),
+          fronts_(work, part) {
         for (const Triangle t : part) {
             inside_.insert(t.id);
         }
-        find_fronts();
     }
 
     std::vector<Share> run() {
@@ -49,44 +50,8 @@ public:
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    /// An edge of a front; its line goes on beyond the domain boundary.
-    struct Front {
-        Point<Real> from;
-        Point<Real> way;
-        std::size_t taker;
-        std::array<bool, 2> is_end; ///< of the front, on the domain boundary
-    };
-
-    void find_fronts() {
-        for (const Triangle t : order_) {
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const Corner c = corner_of(t.id, k);
-                const auto taker = std::ranges::find(takers_, phase_beyond(complex_, c));
-                if (is_sheet(complex_, c) && taker != takers_.end()) {
-                    fronts_.push_back(
-                        {at(complex_.vertex(next(c))),
-                         direction(complex_, c),
-                         static_cast<std::size_t>(taker - takers_.begin()),
-                         {is_on_boundary(complex_, Vertex{complex_.vertex(next(c))}),
-                          is_on_boundary(complex_, Vertex{complex_.vertex(prev(c))})}});
-                }
-            }
-        }
-    }
-
-    // The way of the nearest edge of a front to the place.
     [[nodiscard]] Real arrival(std::size_t taker, const Point<Real>& place) const {
-        Real nearest = std::numeric_limits<Real>::infinity();
-        for (const Front& front : fronts_) {
-            if (front.taker != taker) {
-                continue;
-            }
-            Real share = (place - front.from).dot(front.way) / front.way.squaredNorm();
-            share = front.is_end[0] ? share : std::max(share, Real(0));
-            share = front.is_end[1] ? share : std::min(share, Real(1));
-            nearest = std::min(nearest, (front.from + share * front.way - place).squaredNorm());
-        }
-        return std::sqrt(nearest);
+        return fronts_.way_of(takers_[taker], place);
     }
 
     [[nodiscard]] std::size_t first(const Point<Real>& place) const {
@@ -165,7 +130,7 @@ private:
     std::span<const Phase> takers_;
     std::vector<Triangle> order_;
     std::unordered_set<std::uint32_t> inside_; ///< the same triangles
-    std::vector<Front> fronts_;
+    Arrival<Real> fronts_;
 };
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/front_point.h"
+#include "topology/fronts/front_point.h"
 
 #include <algorithm>
 
@@ -9,6 +9,8 @@ namespace {
 
 /// The way of a vertex that moved for less than this share of a sub-step says nothing.
 constexpr double min_moved = 0.02;
+/// A vertex is put at most so many sub-steps ahead.
+constexpr double max_shares = 8;
 
 template <class Real>
 class OnFront {
@@ -126,6 +128,14 @@ Real lead_of(const TopologyWork<Real>& work, const FrontPoint<Real>& point,
 }
 
 template <class Real>
+void put_ahead(TopologyWork<Real>& work, std::uint32_t v, Real shares, Real speed) {
+    constexpr auto most = static_cast<Real>(max_shares);
+    TimeAhead<Real>& ahead = work.ahead[Vertex{v}];
+    ahead.time = std::clamp(shares, -most, most) * work.dt;
+    ahead.speed = speed / work.dt;
+}
+
+template <class Real>
 bool is_blocked(const TopologyWork<Real>& work, const FrontPoint<Real>& point) {
     return OnFront<Real>(work).is_blocked_at(point);
 }
@@ -137,6 +147,7 @@ bool is_blocked(const TopologyWork<Real>& work, const FrontPoint<Real>& point) {
                                           const Point<Real>&);                                     \
     template Real lead_of(const TopologyWork<Real>&, const FrontPoint<Real>&, const Point<Real>&,  \
                           Real);                                                                   \
+    template void put_ahead(TopologyWork<Real>&, std::uint32_t, Real, Real);                       \
     template bool is_blocked(const TopologyWork<Real>&, const FrontPoint<Real>&);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

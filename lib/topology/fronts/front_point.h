@@ -45,6 +45,10 @@ speed_of(const TopologyWork<Real>& work, const FrontPoint<Real>& point, const Po
 template <class Real>
 [[nodiscard]] Real lead_of(const TopologyWork<Real>& work, const FrontPoint<Real>& point,
                            const Point<Real>& normal, Real speed);
+/// Notes that the vertex is so many sub-steps ahead of its fronts, or late if below 0, and how far
+/// they go in a sub-step.
+template <class Real>
+void put_ahead(TopologyWork<Real>& work, std::uint32_t v, Real shares, Real speed);
 /// Whether the point, or an end of its edge, is blocked.
 template <class Real>
 [[nodiscard]] bool is_blocked(const TopologyWork<Real>& work, const FrontPoint<Real>& point);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/sight.h"
+#include "topology/fronts/sight.h"
 
 #include "dsc/queries/phases.h"
-#include "topology/films/front_curve.h"
-#include "topology/films/front_point.h"
+#include "topology/fronts/front_curve.h"
+#include "topology/fronts/front_point.h"
 #include "topology/junctions/sectors.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/slits.h"
+#include "topology/landing/slits.h"
 
 namespace dsc {
 

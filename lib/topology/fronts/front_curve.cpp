@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/front_curve.h"
+#include "topology/fronts/front_curve.h"
 
 #include "dsc/motion/interpolation.h"
-#include "topology/films/front_point.h"
+#include "topology/fronts/front_point.h"
 
 #include <cmath>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/meeting.h"
+#include "topology/fronts/meeting.h"
 
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_split.h"
 #include "topology/candidates.h"
-#include "topology/films/contraction.h"
-#include "topology/films/sight.h"
+#include "topology/fronts/contraction.h"
+#include "topology/fronts/sight.h"
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,6 @@ namespace {
 
 /// A pocket beside a seam has no more edges than this on each side.
 constexpr int edges_of_pocket = 6;
-/// Fronts meet at most so many sub-steps ahead.
-constexpr double max_shares = 8;
 
 template <class Real>
 class Meeting {
@@ -203,10 +201,7 @@ private:
             kept = contract<Real>(work_, v, q, middle);
         }
         if (kept != no_id) {
-            constexpr auto most = static_cast<Real>(max_shares);
-            TimeAhead<Real>& ahead = work_.ahead[Vertex{kept}];
-            ahead.time = std::clamp(meet.shares, -most, most) * work_.dt;
-            ahead.speed = (sight.speed_v + sight.speed_q) / 2 / work_.dt;
+            put_ahead(work_, kept, meet.shares, (sight.speed_v + sight.speed_q) / 2);
         }
         return kept;
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/junction_landing.h"
+#include "topology/landing/junction_landing.h"
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_split.h"
-#include "topology/films/contraction.h"
+#include "topology/fronts/contraction.h"
 
 #include <limits>
 #include <optional>
@@ -70,14 +70,12 @@ private:
     // On the nearest vertex of the side that is a neighbour, which slides below the junction: the
     // edge between them is short, or lies along the side, as the last one of a front does.
     void land_at_neighbour(std::uint32_t v) {
-        const bool may_slide = is_blocked(work_, v);
         Corner nearest = no_id; // whose next vertex is that neighbour
         Real best = std::numeric_limits<Real>::max();
         for_each_corner(complex_, Vertex{v}, [&](Corner c) {
             const std::uint32_t end = complex_.vertex(next(c));
             const Real distance = (at(end) - at(v)).squaredNorm();
-            if (distance < best && (may_slide || distance < near() * near()) &&
-                foot_beside(end, at(v))) {
+            if (distance < best && foot_beside(end, at(v))) {
                 best = distance;
                 nearest = c;
             }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/films/contraction.h"
+#include "topology/fronts/contraction.h"
 
 #include "dsc/complex/submesh.h"
 #include "dsc/geometry/predicates.h"

@@ -16,11 +16,10 @@ struct Share {
     Phase to;
 };
 
-/// Splits the edges of a connected part of a film where the fronts of two of the phases `takers`,
-/// which are equally fast, arrive at the same time, and returns its triangles, each with the phase
-/// of the front that reaches it first. The fronts are the sheets of the triangles themselves; one
-/// that ends on the domain boundary goes on straight beyond it. Triangles keep their
-/// phases. O(edges * sheets).
+/// Splits the edges of a connected part of a film where the fronts of two of the phases `takers`
+/// arrive at the same time (arrival.h), and returns its triangles, each with the phase of the front
+/// that reaches it first. The fronts are the sheets of the triangles themselves. Triangles keep
+/// their phases. O(edges * sheets).
 template <class Real>
 [[nodiscard]] std::vector<Share> divide_by_arrival(TopologyWork<Real>& work,
                                                    std::span<const Triangle> part,
