@@ -22,6 +22,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
         }
     }
     std::ranges::sort(work.blocked);
+    // Before any film opens: below a vertex that has arrived it would open without an area.
     land_junctions(work, candidates);
     land_vertices(work, candidates);
     Chords<Real> chords = find_chords(work);

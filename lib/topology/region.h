@@ -109,8 +109,8 @@ template <class Real>
 /// grow into the exterior do. A thin phase among others is a grain that vanishes; it is relabelled.
 [[nodiscard]] constexpr bool meet_in_points(Phase film) { return film == exterior_phase; }
 
-/// Whether fronts displace the film. Where phases keep their areas, they displace nothing: what is
-/// taken is given back. O(1).
+/// Whether fronts displace the film. Where phases keep their areas, fronts displace nothing: the
+/// stage gives back the area that they take. O(1).
 template <class Real>
 [[nodiscard]] bool is_displaced(const TopologyWork<Real>& work, Phase film) {
     return meet_in_points(film) && !work.options.gives_back_area;

@@ -57,8 +57,9 @@ TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
     expect_less({.number = 3, .h = 0.01}, 1.4e-4);
 }
 
-// Discs as small as an edge are round all the same. In the last two squares a front comes to a side
-// a sub-step before the next one does: the end that its film leaves there must wait for it.
+// Discs as small as an edge are round all the same. In the first square and in the last two, a
+// front comes to a side a sub-step before the next one does: its film must neither go too far, nor
+// its end go on before the front is there.
 TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
     double sum = 0;
     for (const std::uint64_t seed : {1U, 2U, 3U, 21U, 25U}) {

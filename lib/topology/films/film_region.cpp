@@ -366,8 +366,9 @@ double FilmRegion<Real>::give_all() {
     return area;
 }
 
-// The vertices that only the change may put on the interface: fronts reach them later. At a wide
-// contact distance they are there as soon as the application wishes.
+// The vertices that only the change may put on the interface: fronts reach them later. Nothing
+// waits at a wide contact distance: with it the application asks for a contact before fronts
+// arrive.
 template <class Real>
 auto FilmRegion<Real>::find_waiting() const -> std::vector<Waiting> {
     std::vector<Waiting> waiting;
@@ -378,8 +379,11 @@ auto FilmRegion<Real>::find_waiting() const -> std::vector<Waiting> {
     const Real speed = fronts.mean_speed();
     for (const Triangle t : order_) {
         for (const Vertex v : work_.complex.vertices_of(t)) {
-            const Real way = fronts.way_of(entries_.at(t.id).to, work_.complex.position(v));
-            if (speed > 0 && std::isfinite(way) && !is_interface(work_.complex, v)) {
+            const bool comes_later = speed > 0 && !is_interface(work_.complex, v);
+            const Real way = comes_later
+                                 ? fronts.way_of(entries_.at(t.id).to, work_.complex.position(v))
+                                 : std::numeric_limits<Real>::infinity();
+            if (std::isfinite(way)) {
                 waiting.push_back({v, way / speed, speed});
             }
         }

@@ -96,8 +96,9 @@ private:
     }
 
     // A short boundary edge that blocks the end of a curve, or a vertex that slides into a corner
-    // of the domain, is collapsed even if the merged edge is so long that it is split again. Behind
-    // an end that slides away the edge is short, too; there it is long already.
+    // of the domain, is collapsed even if the merged edge is so long that it is split again. A
+    // short edge behind an end that slides away blocks nothing: there the merged edge would grow
+    // with each sub-step, so it may only be as long as a long edge and a short one together.
     bool may_collapse_on_boundary(const Star<Real>& star, const BoundaryLimits<Real>& boundary) {
         if (!should_collapse_on_boundary(complex_, star, boundary)) {
             return false;
