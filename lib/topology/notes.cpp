@@ -29,7 +29,8 @@ VertexAttribute<Note>& notes_of(Complex<Real>& complex) {
     }
     return complex.attributes.template add<Vertex>(
         notes_name, Note{}, [](const Note& one, const Note& other, double) {
-            return Note{.round = std::min(one.round, other.round)};
+            return Note{.round = std::min(one.round, other.round),
+                        .what = (one.what | other.what) & noted_change};
         });
 }
 

@@ -22,7 +22,8 @@ enum Notable : std::uint32_t {
     /// Two sheets of the interface met at the vertex in this sub-step or an earlier one; kept from
     /// round to round.
     noted_seam = 4U,
-    noted_star = 8U, ///< the star has been examined in this round
+    noted_star = 8U,    ///< the star has been examined in this round
+    noted_change = 16U, ///< the topology has changed at the vertex since it was last noted
 };
 
 /// The note of a vertex.

@@ -71,10 +71,18 @@ struct TopologyWork {
     std::vector<std::uint32_t> blocked = {};
 };
 
-/// Whether vertices may have come onto the interface since the notes were made. O(1).
+/// Whether a vertex that is not noted may have come onto the interface since the notes were made.
+/// O(1).
 template <class Real>
-[[nodiscard]] bool may_lack_notes(const TopologyWork<Real>& work) {
-    return work.is_again || !work.touched.empty();
+[[nodiscard]] bool may_be_new(const TopologyWork<Real>& work, Vertex v) {
+    return work.is_again || (work.notes[v].what & noted_change) != 0;
+}
+
+/// Notes a change at the vertex: its star may need to be mended.
+template <class Real>
+void touch(TopologyWork<Real>& work, Vertex v) {
+    work.notes[v].what |= noted_change;
+    work.touched.push_back(v);
 }
 
 /// Whether the domain ends at the vertex. O(degree).
@@ -101,8 +109,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] bool is_junction(const Complex<Real>& complex, Vertex v) {
     int sheets = 0;
-    for_each_corner(complex, v, [&](Corner c) { sheets += is_sheet(complex, prev(c)) ? 1 : 0; });
-    return sheets > 2;
+    return find_corner(complex, v, [&](Corner c) {
+               sheets += is_sheet(complex, prev(c)) ? 1 : 0;
+               return sheets > 2;
+           }) != no_id;
 }
 
 /// Whether fronts of different phases that displace this one meet in points (meeting.h): those that
@@ -266,7 +276,7 @@ void give(TopologyWork<Real>& work, Triangle t, Phase phase) {
     for (const Vertex v : complex.vertices_of(t)) {
         std::uint32_t& flags = complex.vertices[v.id].flags;
         flags &= ~static_cast<std::uint32_t>(vertex_contact | vertex_feature);
-        work.touched.push_back(v);
+        touch(work, v);
     }
 }
 

@@ -15,7 +15,9 @@
 
 #include <sys/prctl.h>
 
+#include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 namespace dsc::touched_memory_test {
@@ -26,15 +28,27 @@ using test::Way;
 constexpr double h = 0.02;
 constexpr int steps = 6;
 
-// The memory touched, in kB; -1 if the kernel does not report it.
+// The memory touched that is no file's, in kB; -1 if the kernel does not report it. Pages of files,
+// such as libraries, are shared: other processes touch them, too.
 long referenced_memory() {
-    std::ifstream sums("/proc/self/smaps_rollup");
-    for (std::string line; std::getline(sums, line);) {
-        if (line.starts_with("Referenced:")) {
-            return std::stol(line.substr(11));
+    std::ifstream maps("/proc/self/smaps");
+    long sum = -1;
+    bool is_of_file = false;
+    for (std::string line; std::getline(maps, line);) {
+        std::istringstream words(line);
+        std::string first;
+        words >> first;
+        if (first == "Referenced:") {
+            long kilobytes = 0;
+            words >> kilobytes;
+            sum = std::max(sum, 0L) + (is_of_file ? 0 : kilobytes);
+        } else if (!first.ends_with(':')) { // a mapping: addresses, rights, offset, device, inode
+            std::string inode;
+            words >> inode >> inode >> inode >> inode;
+            is_of_file = inode != "0";
         }
     }
-    return -1;
+    return sum;
 }
 
 bool forget_references() {

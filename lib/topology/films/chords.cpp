@@ -116,25 +116,17 @@ Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
 template <class Real>
 Chords<Real> find_chords(const TopologyWork<Real>& work) {
     const Complex<Real>& complex = work.complex;
-    const auto phases_at = [&](Corner sheet) {
-        return std::minmax({complex.phase_at(sheet), phase_beyond(complex, sheet)});
-    };
-    const auto sheet_at = [&](std::uint32_t v) {
-        const Corner at =
-            !complex.is_alive(Vertex{v}) ? no_id : find_corner(complex, Vertex{v}, [&](Corner c) {
-                return is_sheet(complex, prev(c)) && !is_border(complex.twin(prev(c)));
-            });
-        return at == no_id ? no_id : prev(at);
-    };
-    Corner some = no_id;
-    for (std::size_t i = 0; i < work.interface.size() && some == no_id; ++i) {
-        some = sheet_at(work.interface[i]);
-    }
-    if (some == no_id) {
-        return {};
-    }
-    const auto pair = phases_at(some);
+    std::atomic<Phase> front = border_phase; // the first that some thread finds
     std::atomic<bool> has_fronts = false;
+    const auto note_front = [&](Phase phase) {
+        Phase known = front.load(std::memory_order_relaxed);
+        if (known == border_phase) {
+            front.compare_exchange_strong(known, phase, std::memory_order_relaxed);
+        }
+        if (known != border_phase && known != phase) {
+            has_fronts.store(true, std::memory_order_relaxed);
+        }
+    };
     std::vector<Chord<Real>> chords;
     const Real longest = largest_contact(work.options, work.edge_length);
     const Real squared = static_cast<Real>(1 + length_slack) * longest * longest;
@@ -147,8 +139,9 @@ Chords<Real> find_chords(const TopologyWork<Real>& work) {
             if (!is_sheet(complex, sheet) || is_border(complex.twin(sheet))) {
                 return false;
             }
-            if (phases_at(sheet) != pair) {
-                has_fronts.store(true, std::memory_order_relaxed);
+            if (meet_in_points(complex.phase_at(sheet)) &&
+                !has_fronts.load(std::memory_order_relaxed)) {
+                note_front(phase_beyond(complex, sheet));
             }
             if (!leaves_late(complex, sheet, squared)) {
                 if (const Chord<Real> chord = find_chord(work, sheet); chord.exists()) {

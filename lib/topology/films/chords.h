@@ -33,7 +33,7 @@ template <class Real>
 template <class Real>
 struct Chords {
     std::vector<Chord<Real>> list; ///< in an order that depends only on positions
-    bool has_fronts = false;       ///< the interface separates more than one pair of phases
+    bool has_fronts = false;       ///< several phases displace one film: `meet_in_points`
 };
 
 /// Finds all chords. The threads of the step share the search. O(interface vertices * contact /

@@ -181,7 +181,7 @@ private:
             ~static_cast<std::uint32_t>(vertex_contact | vertex_feature | vertex_on_way);
         Note& note = work_.notes[Vertex{kept}];
         note.round = 0; // where it was before says nothing about a front
-        work_.touched.push_back(Vertex{kept});
+        touch(work_, Vertex{kept});
         for (const std::uint32_t w : link_of(complex_, kept)) {
             complex_.vertices[w].flags &= ~static_cast<std::uint32_t>(vertex_contact);
         }

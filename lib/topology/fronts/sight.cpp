@@ -62,16 +62,16 @@ private:
     [[nodiscard]] bool may_see(std::uint32_t v) const {
         const Real max_gap = static_cast<Real>(max_gap_of_fronts) * work_.edge_length;
         return find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   if (is_sheet(complex_, c)) {
-                       return true;
+                   if (!meet_in_points(complex_.phase_at(c))) {
+                       return false;
                    }
-                   if (is_border(complex_.twin(prev(c)))) {
+                   if (is_sheet(complex_, c) || is_border(complex_.twin(prev(c)))) {
                        return true;
                    }
                    const std::uint32_t w = complex_.vertex(next(c));
                    const std::uint32_t noted = work_.notes[Vertex{w}].round;
                    return !is_outline(complex_, prev(c)) &&
-                          (noted == work_.round || (noted == 0 && may_lack_notes(work_) &&
+                          (noted == work_.round || (noted == 0 && may_be_new(work_, Vertex{w}) &&
                                                     is_interface(complex_, Vertex{w}))) &&
                           (at(w) - at(v)).norm() < Real(1.5) * max_gap;
                }) != no_id;

@@ -93,9 +93,10 @@ private:
                                                          const Point<Real>& place) const {
         std::uint32_t before = no_id;
         std::uint32_t after = no_id;
-        for_each_corner(complex_, Vertex{end}, [&](Corner c) {
+        (void)find_corner(complex_, Vertex{end}, [&](Corner c) {
             before = is_border(complex_.twin(next(c))) ? complex_.vertex(prev(c)) : before;
             after = is_border(complex_.twin(prev(c))) ? complex_.vertex(next(c)) : after;
+            return false; // all of them, in any order
         });
         if (before == no_id || after == no_id) {
             return {};

@@ -90,7 +90,7 @@ private:
 
     // If the end of a curve is blocked, the next vertices of its own curves are in its way.
     [[nodiscard]] bool is_before_held_end(std::uint32_t v) const {
-        return complex_.is_alive(Vertex{v}) &&
+        return !work_.blocked.empty() && complex_.is_alive(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
                    const std::uint32_t end = complex_.vertex(next(c));
                    return is_sheet(complex_, prev(c)) && is_blocked(work_, end) &&
@@ -267,7 +267,7 @@ private:
             work_.events.push_back(event);
         }
         if (has_landed) {
-            work_.touched.push_back(Vertex{target}); // its star may be slender
+            touch(work_, Vertex{target}); // its star may be slender
         }
         return has_landed;
     }
