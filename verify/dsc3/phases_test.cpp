@@ -168,6 +168,30 @@ TEST(Phases3, StrataSurviveASwirl) {
     EXPECT_EQ(hashes[0], hashes[1]);
 }
 
+// Curves that leave a point close like a zip: chords of one cut off vertices of another.
+TEST(Phases3, CurvesThatCloseLikeAZipArrive) {
+    if (dsc::test::are_asked_for("few")) {
+        GTEST_SKIP() << "a large mesh";
+    }
+    constexpr double fine = 1.0 / 32;
+    const Point middle(0.35, 0.35, 0.35);
+    const auto across = [&](int k) { return [=](const Point& p) { return p[k] - middle[k]; }; };
+    const std::vector<Shape> shapes{{ball(middle, 0.15), 1},
+                                    {across(0), 1, {{1, 2}}},
+                                    {across(1), 1, {{1, 3}, {2, 4}}},
+                                    {across(2), 1, {{1, 5}, {2, 6}, {3, 7}, {4, 8}}}};
+    Complex complex = initial_complex({}, shapes, {.edge_length = fine});
+    Simulation simulation(complex, {.edge_length = fine});
+    std::uint64_t unreached = 0;
+    for (int k = 0; k < 25; ++k) {
+        unreached += simulation.step(swirl, 0, fine).unreached;
+    }
+    EXPECT_EQ(unreached, 0U);
+    const ValidationReport report = validate(complex);
+    EXPECT_TRUE(report.ok()) << report.problem;
+    EXPECT_EQ(count_strata(complex).point, 7U);
+}
+
 // A vertex of a curve collapses only along its curve, a point never.
 TEST(Phases3, GuardsKeepStrata) {
     Complex complex = divided_ball(2);

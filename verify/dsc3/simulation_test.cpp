@@ -241,14 +241,15 @@ TEST(Simulation3, LateVerticesArriveThoughTetsAreRenumbered) {
     const Box domain{.low = {0.15, 0.15, 0.15}, .high = {0.65, 0.75, 0.65}};
     Complex complex = initial_complex(domain, {{ball(centre, radius), 1}}, {.edge_length = 0.1});
     auto& number = complex.attributes.add<Tet>("number", no_id);
-    const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = 3};
+    const Options options{.edge_length = 0.1, .sub_step = 1, .max_passes = 4};
     Simulation simulation(complex, options);
     std::uint64_t unreached = simulation.step(uniform({0, 0.1, 0}), 0, 1).unreached;
     int renumbered = 0;
-    for (int step = 0; step < 20 && unreached > 0; ++step) {
+    for (int step = 0; step < 10; ++step) { // to and fro, for many operations
+        const bool has_late = unreached > 0;
         number_tets(complex, number);
-        unreached = simulation.step(uniform({0, 0, 0}), 0, 1).unreached;
-        renumbered += are_renumbered(complex, number) ? 1 : 0;
+        unreached = simulation.step(uniform({0, step % 2 == 0 ? 0.03 : -0.03, 0}), 0, 1).unreached;
+        renumbered += has_late && are_renumbered(complex, number) ? 1 : 0;
     }
     EXPECT_GT(renumbered, 0);
     EXPECT_EQ(unreached, 0U);

@@ -307,7 +307,7 @@ private:
                 }
             }
             repair_mesh(state, start_quality, Effort::more);
-            improve_worst_tets(state);
+            improve_worst_tets(state, WorstTets::all);
             nudge_again();
         }
     }

@@ -16,6 +16,9 @@ constexpr Real escape = 1.5;
 
 bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::uint32_t target,
              Real deviation) {
+    if (!std::isfinite(deviation)) {
+        return true;
+    }
     const Point& p = complex.at(interface_star.centre);
     const Point& t = complex.at(target);
     for (const StarFace& face : interface_star.faces) {
@@ -43,15 +46,21 @@ bool is_near(const Complex& complex, const InterfaceStar& interface_star, std::u
 }
 
 // The same for a vertex on a junction curve, without which the curve goes from the target to the
-// next vertex in a straight line.
+// next vertex in a straight line, if the rules limit it.
 bool is_near_curve(const Complex& complex, const InterfaceStar& interface_star,
-                   std::uint32_t target, Real deviation) {
+                   std::uint32_t target, const CollapseRules& rules) {
+    if (!std::isfinite(std::min(rules.curve_deviation, rules.longest_on_curve))) {
+        return true;
+    }
     const auto next = std::find_if(
         interface_star.edges.begin(), interface_star.edges.end(),
         [&](const StarEdge& edge) { return edge.is_on_curve() && edge.vertex != target; });
     const Point way = complex.at(next->vertex) - complex.at(target);
     const Point p = complex.at(interface_star.centre) - complex.at(target);
-    return way.dot(p) >= 0 && way.cross(p).norm() <= deviation * way.norm();
+    const Real length = way.norm();
+    return length <= rules.longest_on_curve &&
+           (!std::isfinite(rules.curve_deviation) ||
+            (way.dot(p) >= 0 && way.cross(p).norm() <= rules.curve_deviation * length));
 }
 
 // A sheet stays a sheet, a curve a curve, and neither turns much.
@@ -83,10 +92,8 @@ Verdict surface_guard(const Complex& complex, Workspace& work, std::uint32_t tar
             return Verdict::inverts;
         }
     }
-    if (std::isfinite(rules.deviation) &&
-        !(stratum == Stratum::sheet
-              ? is_near(complex, interface_star, target, rules.deviation)
-              : is_near_curve(complex, interface_star, target, rules.deviation))) {
+    if (!(stratum == Stratum::sheet ? is_near(complex, interface_star, target, rules.deviation)
+                                    : is_near_curve(complex, interface_star, target, rules))) {
         return Verdict::no_gain;
     }
     gather(complex, target, work.other);

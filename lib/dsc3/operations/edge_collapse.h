@@ -15,6 +15,10 @@ struct CollapseRules {
     Real enough = 0.25; ///< no improvement is required above this quality
     Real min_cos = 0.8; ///< cosine of the largest rotation of an interface face
     Real deviation = std::numeric_limits<Real>::infinity(); ///< see below
+    /// The same for a vertex of a junction curve.
+    Real curve_deviation = std::numeric_limits<Real>::infinity();
+    /// Upper bound of the length of the edge that replaces two of a junction curve.
+    Real longest_on_curve = std::numeric_limits<Real>::infinity();
 };
 
 /// Whether `vanishing` may be merged into `target`. An interface vertex may be removed along an

@@ -26,6 +26,15 @@ Real quality_of(const Complex& complex, std::uint32_t tet) {
     return quality(complex.at(v[0]), complex.at(v[1]), complex.at(v[2]), complex.at(v[3]));
 }
 
+bool is_off_sheets(const Complex& complex, Workspace& work, std::uint32_t v) {
+    if (!complex.is_interface(Vertex{v})) {
+        return false;
+    }
+    gather(complex, v, work.other);
+    gather(complex, work.other, work.interface_star);
+    return !is_sheet(work.interface_star);
+}
+
 bool has_one_phase(const Complex& complex, const Ring& ring) {
     return std::all_of(ring.tets.begin(), ring.tets.begin() + ring.size, [&](std::uint32_t t) {
         return complex.phases[t] == complex.phases[ring.tets[0]];

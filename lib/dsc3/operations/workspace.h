@@ -56,6 +56,10 @@ struct alignas(64) Workspace {
 /// The quality of a tet.
 [[nodiscard]] Real quality_of(const Complex& complex, std::uint32_t tet);
 
+/// Whether a vertex is on the interface, but on no single sheet: on a curve or at a point. `star`
+/// of the workspace is kept. O(degree^2).
+[[nodiscard]] bool is_off_sheets(const Complex& complex, Workspace& work, std::uint32_t v);
+
 /// Whether all tets around an edge have the same phase. O(size).
 [[nodiscard]] bool has_one_phase(const Complex& complex, const Ring& ring);
 

@@ -4,6 +4,7 @@
 #include "dsc3/geometry/tet.h"
 #include "dsc3/operations/edge_collapse.h"
 #include "dsc3/passes/movement.h"
+#include "dsc3/passes/refinement.h"
 #include "dsc3/passes/repair.h"
 #include "dsc3/passes/worst_tets.h"
 
@@ -14,7 +15,10 @@ namespace dsc3 {
 namespace {
 
 constexpr int patient_passes = 2; // later passes use more effort and lower thresholds
+constexpr int refine_after = 3;   // passes
 constexpr int unjam_after = 4;    // passes
+// If one is beside a junction curve: until then new vertices may let them arrive.
+constexpr int unjam_at_curves_after = 6;
 // Tets around a vertex that has not arrived are improved if their quality is below this.
 constexpr Real blocking_quality = 0.35;
 // The quality threshold of movement falls by this factor in each pass, down to this minimum.
@@ -23,6 +27,8 @@ constexpr Real min_move = 1e-5;
 // Interface edges at blocked vertices are collapsed if they are shorter than this, in edge lengths.
 constexpr Real unjam_length = 0.8;
 constexpr CollapseRules unjam_rules{.floor = 1e-4, .enough = 0.02, .min_cos = 0.3};
+// Along junction curves, in edge lengths.
+constexpr Real curve_deviation = 0.005;
 
 // Lists the tets around vertices that have not arrived.
 void list_blocking(PassState& state) {
@@ -46,8 +52,18 @@ void list_blocking(PassState& state) {
     append_chunks(state.unfit, state.lists, chunks);
 }
 
+bool is_any_beside_curve(PassState& state) {
+    return std::any_of(state.pending.begin(), state.pending.end(), [&](std::uint32_t v) {
+        return is_beside_curve(state.complex, state.work, v);
+    });
+}
+
 void unjam(PassState& state) {
-    const Real length = unjam_length * state.options.edge_length;
+    const Real h = state.options.edge_length;
+    const Real length = unjam_length * h;
+    CollapseRules rules = unjam_rules;
+    rules.curve_deviation = curve_deviation * h;
+    rules.longest_on_curve = state.options.interface.longest * h; // longer ones are split again
     state.work.rewiring.changed.clear();
     std::vector<WantingEdge>& edges = state.too_short;
     for (const std::uint32_t v : state.pending) {
@@ -67,7 +83,7 @@ void unjam(PassState& state) {
             return x.square != y.square ? x.square < y.square : x.b < y.b;
         });
         for (const WantingEdge& edge : edges) {
-            if (edge_collapse(state.complex, state.work, Vertex{v}, Vertex{edge.b}, unjam_rules) ==
+            if (edge_collapse(state.complex, state.work, Vertex{v}, Vertex{edge.b}, rules) ==
                 Verdict::legal) {
                 ++state.unjammed;
                 break;
@@ -94,8 +110,12 @@ std::uint32_t arrive(PassState& state) {
         const Effort effort = pass < patient_passes ? Effort::usual : Effort::more;
         repair_mesh(state, state.options.quality, effort);
         drop_vanished(state);
-        if (pass >= unjam_after && !state.pending.empty()) {
-            unjam(state);
+        if (pass >= refine_after && !state.pending.empty()) {
+            if (pass < unjam_at_curves_after && is_any_beside_curve(state)) {
+                refine_crossings(state);
+            } else if (pass >= unjam_after) {
+                unjam(state);
+            }
             repair_mesh(state, state.options.quality, Effort::more);
             drop_vanished(state);
         }
@@ -103,7 +123,10 @@ std::uint32_t arrive(PassState& state) {
             move_quality = std::max(move_factor * move_quality, min_move);
         }
     }
-    improve_worst_tets(state);
+    if (state.pending.empty()) {
+        improve_worst_tets(state, WorstTets::off_curves);
+    }
+    state.unimproved.clear(); // beside late vertices the interface is not where it should be
     drop_vanished(state);
     return passes;
 }

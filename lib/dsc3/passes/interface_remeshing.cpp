@@ -21,6 +21,9 @@ constexpr Real collapse_floor = 0.05;
 constexpr Real collapse_enough = 0.3;
 // A new vertex moves towards its position as long as the quality of its tets stays above this.
 constexpr Real insertion_quality = 0.02;
+// Junction curves keep their vertices longer than sheets, by this factor of the deviation: where
+// the flow has pressed a curve flat, a new vertex cannot be put to its place again.
+constexpr Real of_curves = 0.05;
 // In edge lengths: flips of caps move the interface by less.
 constexpr Real cap_gap = 0.06;
 
@@ -173,11 +176,12 @@ void collapse_short(PassState& state) {
         if (!complex.is_interface(Vertex{edge.a}) || !complex.is_interface(Vertex{edge.b})) {
             return Verdict::not_a_simplex;
         }
+        const Real deviation =
+            edge.square < always ? std::numeric_limits<Real>::infinity() : thresholds.deviation * h;
         const CollapseRules rules{.floor = collapse_floor,
                                   .enough = collapse_enough,
-                                  .deviation = edge.square < always
-                                                   ? std::numeric_limits<Real>::infinity()
-                                                   : thresholds.deviation * h};
+                                  .deviation = deviation,
+                                  .curve_deviation = of_curves * deviation};
         const Verdict verdict = edge_collapse(complex, work, Vertex{edge.a}, Vertex{edge.b}, rules);
         return verdict == Verdict::legal || verdict == Verdict::on_submesh_boundary
                    ? verdict

@@ -12,7 +12,8 @@ namespace dsc3 {
 struct InterfaceThresholds {
     double longest = 1.4;   ///< longer edges are split
     double shortest = 0.45; ///< shorter edges are collapsed
-    /// ...if the removed vertex lies within this distance of the new interface,
+    /// ...if the removed vertex lies within this distance of the new interface, on junction curves
+    /// within a twentieth of it,
     double deviation = 0.005;
     double always = 0.15; ///< or the edge is shorter than this
 };
@@ -33,7 +34,7 @@ struct Options {
 
     double sub_step = 0.4;     ///< largest displacement in a sub-step, in edge lengths
     int max_sub_steps = 10000; ///< of one step; a step that needs more gives up and reports it
-    int max_passes = 10;       ///< of movement and mesh repair, of one sub-step
+    int max_passes = 16;       ///< of movement and mesh repair, of one sub-step
 };
 
 /// Throws InputError if a value is not finite, out of range, or inconsistent with another.

@@ -68,6 +68,7 @@ struct PassState {
     std::vector<WantingEdge> to_flip = {};
     std::vector<std::pair<Real, std::uint32_t>> worst = {}; ///< unimproved tets, by quality
     std::vector<std::uint32_t> beside = {};                 ///< tets with a vertex of the interface
+    std::vector<Point> middles = {};                        ///< of the curved edges `too_long`
     // Scratch of movement.
     std::vector<std::uint8_t> moves = {};  ///< by vertex: not 0 if it moves in this pass
     std::vector<MovingVertex> moving = {}; ///< by vertex

@@ -28,6 +28,12 @@ bool is_bad(const Complex& complex, std::uint32_t t) {
     return complex.is_alive(Tet{t}) && quality_of(complex, t) < worst_tet_quality;
 }
 
+bool is_in_wedge(PassState& state, const TetRecord& tet) {
+    return std::any_of(tet.v.begin(), tet.v.end(), [&](std::uint32_t v) {
+        return is_off_sheets(state.complex, state.work, v);
+    });
+}
+
 // Repairs the tets around its vertices inside a phase, though they are better than mesh repair
 // demands, to make room for the tet. Returns whether it is good enough then.
 bool repair_around(PassState& state, std::uint32_t t) {
@@ -88,7 +94,7 @@ bool move(PassState& state, std::uint32_t t) {
 
 } // namespace
 
-void improve_worst_tets(PassState& state) {
+void improve_worst_tets(PassState& state, WorstTets which) {
     for (int round = 0; round < worst_rounds && !state.unimproved.empty(); ++round) {
         auto& worst = state.worst;
         worst.clear();
@@ -104,7 +110,8 @@ void improve_worst_tets(PassState& state) {
             if (!is_bad(state.complex, t)) {
                 continue;
             }
-            if (repair_around(state, t)) {
+            if ((which == WorstTets::off_curves && is_in_wedge(state, state.complex.tets[t])) ||
+                repair_around(state, t)) {
                 continue;
             }
             state.work.rewiring.changed.clear();

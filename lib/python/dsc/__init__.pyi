@@ -245,7 +245,7 @@ class Simulation(Generic[_AnyMesh]):
         tolerance: float = 1e-4,
         sub_step: float = 0.4,
         max_sub_steps: int = 10000,
-        max_passes: int = 10,
+        max_passes: int = 16,
         threads: int | None = None,
         submeshes: int | None = None,
     ) -> None: ...
