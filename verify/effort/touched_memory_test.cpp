@@ -52,8 +52,8 @@ long referenced_memory() {
     return sum;
 }
 
-// Pages that are still in the TLB would not be marked when they are used again. To unmap many pages
-// empties it.
+// Pages that are still in the TLB would not be marked when they are used again. Unmapping many
+// pages empties the TLB.
 bool empty_tlb() {
     constexpr std::size_t size = 1 << 20; // far more pages than Linux drops one by one, 33
     void* const pages = mmap(nullptr, size, PROT_READ | PROT_WRITE,
