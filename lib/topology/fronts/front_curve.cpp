@@ -12,12 +12,31 @@ namespace {
 
 /// Cosine of the largest turn (45 degrees) within one bend of a front.
 constexpr double bend_cosine = 0.7;
+/// The leads of vertices are taken along a normal that depends on them: it settles in so many
+/// rounds.
+constexpr int rounds_of_normal = 3;
 
 // Whether a front goes smoothly through a vertex: where it turns by more, it has a corner.
 template <class Real>
 bool is_one_bend(const Complex<Real>& complex, std::uint32_t v, const Point<Real>& from,
                  const Point<Real>& at, const Point<Real>& to) {
     return !complex.is_feature(Vertex{v}) && turns_less<Real>(from, at, to, Real(bend_cosine));
+}
+
+// `place(v)`: where a vertex counts as being.
+template <class Real, class Place>
+Point<Real> normal_of_parabola(const Complex<Real>& complex, std::uint32_t v,
+                               const Sector<Real>& sector, const Place& place) {
+    const Point<Real> from = place(complex.vertex(next(sector.first)));
+    const Point<Real> to = place(complex.vertex(prev(last_of(complex, sector))));
+    const Point<Real> middle = place(v);
+    if (!is_one_bend<Real>(complex, v, from, middle, to)) {
+        return middle_of(sector);
+    }
+    const Point<Real> back = from - middle;
+    const Point<Real> ahead = to - middle;
+    const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
+    return Point<Real>(-tangent.y(), tangent.x()).normalized();
 }
 
 // `place(v)`: where a vertex counts as being.
@@ -64,16 +83,26 @@ Point<Real> middle_of(const Sector<Real>& sector) {
 
 template <class Real>
 Point<Real> normal_at(const Complex<Real>& complex, std::uint32_t v, const Sector<Real>& sector) {
-    const auto at = [&](std::uint32_t w) { return complex.position(Vertex{w}); };
-    const Point<Real> from = at(complex.vertex(next(sector.first)));
-    const Point<Real> to = at(complex.vertex(prev(last_of(complex, sector))));
-    if (!is_one_bend<Real>(complex, v, from, at(v), to)) {
-        return middle_of(sector);
+    return normal_of_parabola(complex, v, sector, [&](std::uint32_t w) -> Point<Real> {
+        return complex.position(Vertex{w});
+    });
+}
+
+template <class Real>
+Point<Real> normal_now(const TopologyWork<Real>& work, std::uint32_t v,
+                       const Sector<Real>& sector) {
+    Point<Real> normal = normal_at(work.complex, v, sector);
+    for (int round = 0; round < rounds_of_normal; ++round) {
+        const auto speed = speed_of(work, front_point<Real>(v), normal);
+        if (!speed) {
+            break;
+        }
+        normal = normal_of_parabola(work.complex, v, sector, [&](std::uint32_t w) -> Point<Real> {
+            return work.complex.position(Vertex{w}) -
+                   lead_of(work, front_point<Real>(w), normal, *speed) * normal;
+        });
     }
-    const Point<Real> back = from - at(v);
-    const Point<Real> ahead = to - at(v);
-    const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
-    return Point<Real>(-tangent.y(), tangent.x()).normalized();
+    return normal;
 }
 
 template <class Real>
@@ -96,6 +125,8 @@ CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real sha
     template Corner last_of(const Complex<Real>&, const Sector<Real>&);                            \
     template Point<Real> middle_of(const Sector<Real>&);                                           \
     template Point<Real> normal_at(const Complex<Real>&, std::uint32_t, const Sector<Real>&);      \
+    template Point<Real> normal_now(const TopologyWork<Real>&, std::uint32_t,                      \
+                                    const Sector<Real>&);                                          \
     template CurvePoint<Real> curve_at(const TopologyWork<Real>&, Corner, Real);                   \
     template CurvePoint<Real> curve_now(const TopologyWork<Real>&, Corner, Real,                   \
                                         const Point<Real>&, Real);

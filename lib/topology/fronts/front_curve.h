@@ -22,6 +22,12 @@ template <class Real>
 [[nodiscard]] Point<Real> normal_at(const Complex<Real>& complex, std::uint32_t v,
                                     const Sector<Real>& sector);
 
+/// The same where the front is at the time of the simulation: vertices that met another front ahead
+/// of the time would tilt it. O(degrees).
+template <class Real>
+[[nodiscard]] Point<Real> normal_now(const TopologyWork<Real>& work, std::uint32_t v,
+                                     const Sector<Real>& sector);
+
 /// A point of a front, and the unit normal there, to the left of the edge.
 template <class Real>
 struct CurvePoint {

@@ -151,7 +151,7 @@ private:
         Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
         sight.one = beyond(sectors, k, towards);
         sight.other = phase_beyond(complex_, c);
-        sight.normal_v = normal_at(complex_, v, sector);
+        sight.normal_v = normal_now(work_, v, sector);
         if (encloses && !see_pocket(c, sight)) {
             return;
         }
@@ -224,8 +224,8 @@ private:
             Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
             sight.one = beyond(sectors, k, towards);
             sight.other = beyond(there, i, back);
-            sight.normal_v = normal_at(complex_, v, sectors[k]);
-            sight.normal_q = normal_at(complex_, q, sector);
+            sight.normal_v = normal_now(work_, v, sectors[k]);
+            sight.normal_q = normal_now(work_, q, sector);
             sight.front_q = at(q);
             if (closes(sight, towards, false)) {
                 best = sight;
