@@ -154,5 +154,38 @@ TEST(Stages, MayPutAVertexAheadOfTheTime) {
     }
 }
 
+// A flow sees a vertex that is ahead where it is now: the normals beside it do not lean.
+TEST(Stages, AVertexAheadOfTheTimeDoesNotHoldItsNeighboursUp) {
+    Complex<double> complex = disc();
+    Simulation<double> simulation(complex, {.edge_length = disc_h, .sub_step = 1});
+    const Point<double> centre(0.5, 0.7);
+    const auto radius_of = [&](Vertex v) { return (complex.position(v) - centre).norm(); };
+    const Vertex ahead{simulation.interface()[0]};
+    const double dt = 0.4 * disc_h;
+    const double before = radius_of(ahead);
+    bool is_first = true;
+    simulation.add_stage(std::make_shared<Editing>([&](const Between<double>& between) {
+        if (std::exchange(is_first, false)) {
+            const double time = 0.75 * dt;
+            const Point<double> to =
+                centre + (1 + time / radius_of(ahead)) * (complex.position(ahead) - centre);
+            rewire::move(complex, complex.journal, ahead.id, to.x(), to.y(), MoveReason::flow);
+            times_ahead_of(between.complex)[ahead].time = time;
+        }
+    }));
+    const InterfaceFlow<double> grow = [](const InterfaceView<double>& view, std::size_t begin,
+                                          std::size_t end, double, auto velocities) {
+        for (std::size_t i = begin; i < end; ++i) {
+            velocities[i] = normal(view, i);
+        }
+    };
+    for (int step = 0; step < 2; ++step) {
+        EXPECT_EQ(simulation.step(grow, step * dt, dt).unreached, 0U);
+    }
+    for (const std::uint32_t v : simulation.interface()) {
+        EXPECT_NEAR(radius_of(Vertex{v}), before + 2 * dt, 1e-3 * disc_h) << v;
+    }
+}
+
 } // namespace
 } // namespace dsc::stages_test

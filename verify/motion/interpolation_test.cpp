@@ -86,6 +86,8 @@ TYPED_TEST(Interpolation, IsThePolynomialThroughTheNeighboursByChordLength) {
             const Point<Real> read = curve_point(n, static_cast<Real>(share));
             EXPECT_NEAR(read.x(), static_cast<double>(there.x()), rounding) << i << " " << share;
             EXPECT_NEAR(read.y(), static_cast<double>(there.y()), rounding) << i << " " << share;
+            const std::array<Real, 4> heights{n.p0.y(), n.p1.y(), n.p2.y(), n.p3.y()};
+            EXPECT_NEAR(curve_value(n, heights, static_cast<Real>(share)), read.y(), rounding);
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "dsc/base/room.h"
 #include "dsc/base/types.h"
 #include "dsc/complex/circulate.h"
+#include "dsc/motion/time_ahead.h"
 #include "dsc/passes/work.h"
 
 #include <algorithm>
@@ -13,6 +14,10 @@
 namespace dsc {
 
 namespace {
+
+/// The way of a vertex that is ahead depends on where the flow sees it: it settles in so many
+/// rounds.
+constexpr int rounds_of_leads = 3;
 
 /// Whether `one`, rather than `other`, is on the left of a curve between these two phases.
 constexpr bool is_left(Phase one, Phase other) {
@@ -213,12 +218,53 @@ bool InterfaceSight<Real>::stays(std::size_t i) const {
 }
 
 template <class Real>
+void InterfaceSight<Real>::find_leads(const InterfaceFlow<Real>& flow, Real time) {
+    Work<Real>& work = *work_;
+    leads_.clear();
+    const VertexAttribute<TimeAhead<Real>>* const ahead = find_times_ahead(work.complex);
+    if (ahead == nullptr) {
+        return;
+    }
+    for (std::size_t i = 0; i < work.interface.size(); ++i) {
+        const Vertex v{work.interface[i]};
+        if ((*ahead)[v].time != 0 && !work.complex.is_locked(v)) {
+            leads_.push_back({.i = i, .time = (*ahead)[v].time});
+        }
+    }
+    if (leads_.empty()) {
+        return;
+    }
+    begin_targets(work);
+    stage_ = work.trajectory.positions;
+    std::vector<Point<Real>>& velocities = work.trajectory.scratch.first;
+    const InterfaceView<Real> view = graph_.view(work.complex, stage_, in_shares_);
+    for (int round = 0; round < rounds_of_leads; ++round) {
+        for (const Lead& lead : leads_) {
+            velocities[lead.i].setZero();
+            flow(view, lead.i, lead.i + 1, time, velocities);
+        }
+        for (Lead& lead : leads_) {
+            const Point<Real> way = lead.time * velocities[lead.i];
+            if (way.allFinite()) {
+                lead.way = way;
+                stage_[lead.i] = work.trajectory.positions[lead.i] - way;
+            }
+        }
+    }
+}
+
+template <class Real>
 void InterfaceSight<Real>::evaluate(std::span<const Point<Real>> positions, Real time,
                                     std::span<Point<Real>> velocities) {
     stage_.resize(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const bool is_seen_moved = !stays(i) && positions[i].allFinite();
         stage_[i] = is_seen_moved ? positions[i] : work_->trajectory.positions[i];
+    }
+    for (const Lead& lead : leads_) {
+        if (!stays(lead.i)) {
+            stage_[lead.i] -= lead.way;
+        }
     }
     std::ranges::fill(velocities, Point<Real>(0, 0));
     const InterfaceView<Real> view = graph_.view(work_->complex, stage_, in_shares_);
@@ -245,6 +291,7 @@ InterfaceSight<Real>::compute_targets(Work<Real>& work, std::span<const std::siz
     }
     look(ends);
     if (flow.motion() == nullptr) {
+        find_leads(*flow.seeing(), time);
         return targets_along(work, velocity(*flow.seeing()), time, dt);
     }
     TargetReport<Real> report;

@@ -82,6 +82,10 @@ public:
 
 private:
     void look(std::span<const std::size_t> ends);
+    /// Finds how far vertices have gone ahead of the time, by the flow. The flow sees them where
+    /// they are now: a vertex that waits would pass its neighbours in the stages of the integrator,
+    /// and tilts their normals.
+    void find_leads(const InterfaceFlow<Real>& flow, Real time);
     /// The flow as a function of the positions of all of the interface, in the order of its list.
     /// Valid while `flow` exists. Locked and held vertices, and those whose stage is not finite,
     /// are seen at their present positions: a failure at one vertex must not affect its neighbours.
@@ -100,6 +104,13 @@ private:
     std::vector<std::size_t> ends_;
     const InterfaceFlow<Real>* flow_ = nullptr;
     std::vector<Point<Real>> stage_;
+
+    struct Lead {
+        std::size_t i = 0;                     ///< of the vertex
+        Real time = 0;                         ///< by which it is ahead
+        Point<Real> way = Point<Real>::Zero(); ///< that it has gone in that time
+    };
+    std::vector<Lead> leads_;
 };
 
 } // namespace dsc

@@ -143,8 +143,7 @@ std::uint64_t collect_moving_vertices(Work<Real>& work) {
     if (work.options.custom_integrator && !work.interface.empty()) {
         work.options.custom_integrator->accept(step_of(work));
     }
-    VertexAttribute<TimeAhead<Real>>* const ahead =
-        work.complex.attributes.contains(time_ahead_name) ? &times_ahead_of(work.complex) : nullptr;
+    VertexAttribute<TimeAhead<Real>>* const ahead = find_times_ahead(work.complex);
     std::uint64_t held = 0;
     std::uint32_t next_star = 0;
     for (std::size_t i = 0; i < work.interface.size(); ++i) {

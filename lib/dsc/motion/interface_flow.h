@@ -59,7 +59,8 @@ struct InterfaceView {
     /// once for a range, not for each vertex.
     const Complex<Real>& complex;
     std::span<const Vertex> vertices; ///< handles; i is their index here
-    /// Their positions in this stage of the integrator.
+    /// Their positions in this stage of the integrator. A vertex that a stage has put ahead of the
+    /// time is seen where it is at that time.
     std::span<const Point<Real>> positions;
     std::span<const std::uint32_t> previous; ///< no_id at junctions
     std::span<const std::uint32_t> next;     ///< no_id at junctions

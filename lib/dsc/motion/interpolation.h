@@ -7,6 +7,7 @@
 #include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
+#include <array>
 #include <functional>
 #include <string_view>
 
@@ -64,6 +65,11 @@ using InsertionFunction = std::function<Point<Real>(const CurveNeighbours<Real>&
 /// smooth curve by O(length^4). O(1).
 template <class Real>
 Point<Real> curve_point(const CurveNeighbours<Real>& neighbours, Real share);
+
+/// A value of the same point, from those at p0 to p3 and by the same weights. O(1).
+template <class Real>
+Real curve_value(const CurveNeighbours<Real>& neighbours, const std::array<Real, 4>& values,
+                 Real share);
 
 /// The position of a new vertex between p1 and p2. O(1).
 template <class Real>

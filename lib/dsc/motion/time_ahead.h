@@ -26,12 +26,20 @@ void archive(Archive& archive, TimeAhead<Real>& ahead) {
 /// The name of the attribute of vertices.
 inline constexpr const char* time_ahead_name = "dsc.time_ahead";
 
+/// The attribute of the vertices; null if there is none, as no vertex is ever ahead then. O(1).
+template <class Real>
+[[nodiscard]] VertexAttribute<TimeAhead<Real>>* find_times_ahead(Complex<Real>& complex) {
+    return complex.attributes.contains(time_ahead_name)
+               ? &complex.attributes.template get<Vertex, TimeAhead<Real>>(time_ahead_name)
+               : nullptr;
+}
+
 /// The attribute of the vertices, created if there is none yet: a new vertex between two is ahead
 /// as the edge is there. O(1), or O(n) for a new one.
 template <class Real>
 [[nodiscard]] VertexAttribute<TimeAhead<Real>>& times_ahead_of(Complex<Real>& complex) {
-    if (complex.attributes.contains(time_ahead_name)) {
-        return complex.attributes.template get<Vertex, TimeAhead<Real>>(time_ahead_name);
+    if (auto* const there = find_times_ahead(complex)) {
+        return *there;
     }
     return complex.attributes.template add<Vertex>(
         time_ahead_name, TimeAhead<Real>{},

@@ -9,6 +9,7 @@
 #include "dsc/passes/edits.h"
 #include "dsc/passes/interface/curve.h"
 #include "dsc/passes/interface/limits.h"
+#include "dsc/passes/interface/times_on_curve.h"
 #include "dsc/passes/work.h"
 #include "dsc/quality/measures.h"
 #include "dsc/queries/phases.h"
@@ -26,7 +27,8 @@ template <class Real>
 class Remeshing {
 public:
     explicit Remeshing(Work<Real>& work)
-        : work_(work), complex_(work.complex), thresholds_(work.options.interface), limits_(work) {}
+        : work_(work), complex_(work.complex), thresholds_(work.options.interface), limits_(work),
+          times_(work.complex) {}
 
     void run() {
         auto& kept = work_.interface_next;
@@ -322,6 +324,7 @@ private:
         if (gathered) {
             see_from_beyond(complex_, beyond, v, curve);
         }
+        times_.read(star, incident, i, beyond, curve);
         const auto& options = work_.options;
         Point<Real> point =
             options.insertion_function
@@ -344,6 +347,7 @@ private:
         }
         if (result.verdict == Verdict::legal) {
             newest_ = result.vertex.id;
+            times_.note(result.vertex, curve, point);
         }
         return true;
     }
@@ -376,6 +380,7 @@ private:
     const InterfaceThresholds& thresholds_;
     InterfaceLimits<Real> limits_;
     std::uint32_t newest_ = no_id;
+    TimesOnCurve<Real> times_;
 };
 
 } // namespace
