@@ -70,7 +70,7 @@ TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
         EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         sum += result.last.wrong_area;
     }
-    EXPECT_LT(sum / 5, 3e-3);
+    EXPECT_LT(sum / 5, 2.2e-3);
 }
 
 TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
@@ -85,8 +85,8 @@ TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
         EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         EXPECT_LT(result.last.triple_max, 0.5 * 0.02) << seed;
     }
-    EXPECT_LT(sum / 6, 1e-3);
-    EXPECT_LE(unreached, 1U);
+    EXPECT_LT(sum / 6, 6e-4);
+    EXPECT_EQ(unreached, 0U);
     const auto hash = [](std::uint32_t threads) {
         return run({.number = 10, .seed = 11, .h = 0.02, .threads = threads}).mesh_hash;
     };
@@ -98,7 +98,7 @@ TEST(JohnsonMehl, ASeamEndsWhereItReachesASide) {
     const Result result = run({.number = 10, .seed = 11, .h = 0.01});
     EXPECT_TRUE(result.is_full && result.is_valid);
     EXPECT_GT(result.min_angle_last, 5);
-    EXPECT_LT(result.last.wrong_area, 3.3e-4);
+    EXPECT_LT(result.last.wrong_area, 2e-4);
     EXPECT_LT(result.last.seam_max, 0.5 * 0.01);
 }
 
