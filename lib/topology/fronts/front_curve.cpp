@@ -92,14 +92,17 @@ template <class Real>
 Point<Real> normal_now(const TopologyWork<Real>& work, std::uint32_t v,
                        const Sector<Real>& sector) {
     Point<Real> normal = normal_at(work.complex, v, sector);
-    for (int round = 0; round < rounds_of_normal; ++round) {
+    bool is_tilted = true;
+    for (int round = 0; round < rounds_of_normal && is_tilted; ++round) {
         const auto speed = speed_of(work, front_point<Real>(v), normal);
         if (!speed) {
             break;
         }
+        is_tilted = false;
         normal = normal_of_parabola(work.complex, v, sector, [&](std::uint32_t w) -> Point<Real> {
-            return work.complex.position(Vertex{w}) -
-                   lead_of(work, front_point<Real>(w), normal, *speed) * normal;
+            const Real lead = lead_of(work, front_point<Real>(w), normal, *speed);
+            is_tilted = is_tilted || lead != 0;
+            return work.complex.position(Vertex{w}) - lead * normal;
         });
     }
     return normal;
