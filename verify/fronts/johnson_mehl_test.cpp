@@ -73,6 +73,18 @@ TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
     EXPECT_LT(sum / 5, 2.2e-3);
 }
 
+// Seams at rest, to which remeshing does not come any more: beside a junction it has left a flat
+// triangle in the first square, and a needle between two seams in the second.
+TEST(JohnsonMehl, JunctionsOfSeamsAtRestAreMended) {
+    for (const std::uint64_t seed : {1U, 5U}) {
+        const Result result = run({.number = 40, .seed = seed, .h = 0.01});
+        EXPECT_TRUE(result.is_full && result.is_valid) << seed;
+        EXPECT_GT(result.min_angle_last, 7) << seed;
+        EXPECT_LT(result.last.triple_max, 0.5 * 0.01) << seed;
+        EXPECT_LT(result.last.wrong_area, 4.6e-4) << seed;
+    }
+}
+
 TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
     double sum = 0;
     std::uint64_t unreached = 0;

@@ -66,9 +66,13 @@ public:
 
     void run(std::span<const Candidate> candidates) {
         std::vector<Vertex> list;
+        std::vector<Vertex> junctions;
         // A sharp turn between two edges can become a junction only if something has changed there.
         const bool is_changed = !work_.touched.empty();
         for (const auto& candidate : candidates) {
+            if (candidate.is_junction) {
+                junctions.push_back(Vertex{candidate.vertex});
+            }
             if ((is_changed ? candidate.is_sharp : candidate.is_junction) &&
                 complex_.is_alive(Vertex{candidate.vertex}) &&
                 may_split(complex_, Vertex{candidate.vertex}, shortest_)) {
@@ -79,6 +83,9 @@ public:
             if (complex_.is_alive(v)) {
                 visit(v);
             }
+        }
+        for (const Vertex v : in_order<Real>(complex_, junctions)) {
+            mend_seams(work_, v);
         }
     }
 
@@ -285,6 +292,7 @@ void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
     for (int round = 0; round < rounds_around && !mended.empty(); ++round) {
         for (const Vertex v : mended) { // some may have been removed from other stars by then
             collapse_short_sheets(work, v);
+            mend_seams(work, v);
         }
         std::erase_if(mended, [&](Vertex v) { return !mend_star(work, v); });
         mended = with_links<Real>(work.complex, mended);

@@ -8,6 +8,7 @@
 #include "dsc/operations/edge_collapse.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/quality/measures.h"
+#include "topology/fronts/contraction.h"
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
@@ -27,6 +28,8 @@ constexpr double short_seam = 0.2;
 /// A short sheet goes even if the worst triangle becomes flatter by this factor: where a junction
 /// has two short sheets, the first to go leaves the needle of the other.
 constexpr double flatter = 0.7;
+/// Height over longest edge of triangles that are mended between seams at rest.
+constexpr double narrow = 0.1;
 
 template <class Real>
 class Mending {
@@ -220,6 +223,45 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
     return true;
 }
 
+// Whether the vertex has not moved, or is new.
+template <class Real>
+bool rests(const TopologyWork<Real>& work, std::uint32_t v) {
+    return work.notes[Vertex{v}].round != work.round ||
+           place_before(work, v) == work.complex.position(Vertex{v});
+}
+
+// Whether the phase at a corner of a junction ends there in a single triangle, between two sheets
+// at rest that its short third edge joins.
+template <class Real>
+bool is_tip(const TopologyWork<Real>& work, Corner c) {
+    const Complex<Real>& complex = work.complex;
+    const Corner across = complex.twin(c);
+    const Real shortest = static_cast<Real>(short_sheet) * work.edge_length;
+    return is_sheet(complex, next(c)) && is_sheet(complex, prev(c)) && !is_border(across) &&
+           !is_sheet(complex, c) &&
+           !(is_sheet(complex, next(across)) && is_sheet(complex, prev(across))) &&
+           direction(complex, c).squaredNorm() < shortest * shortest &&
+           std::ranges::all_of(std::array{next(c), prev(c)}, [&](Corner end) {
+               const std::uint32_t v = complex.vertex(end);
+               return rests(work, v) && !complex.is_feature(Vertex{v}) &&
+                      is_plain(complex, v, sheet_ends(complex, v));
+           });
+}
+
+// The junction is then where the short edge was.
+template <class Real>
+bool shorten_tip(TopologyWork<Real>& work, Corner c) {
+    const Complex<Real>& complex = work.complex;
+    const std::uint32_t one = complex.vertex(next(c));
+    const std::uint32_t other = complex.vertex(prev(c));
+    const double before = work.swept;
+    const Point<Real> middle =
+        midpoint<Real>(complex.position(Vertex{one}), complex.position(Vertex{other}));
+    const bool is_shorter = contract(work, one, other, middle) != no_id;
+    work.swept = before; // no event has this area
+    return is_shorter;
+}
+
 } // namespace
 
 template <class Real>
@@ -230,10 +272,7 @@ bool mend_star(TopologyWork<Real>& work, Vertex v) {
 template <class Real>
 void collapse_short_sheets(TopologyWork<Real>& work, Vertex v) {
     const Complex<Real>& complex = work.complex;
-    const auto is_at_rest = [&](Corner end) { // or new
-        const Vertex w{complex.vertex(end)};
-        return work.notes[w].round != work.round || place_before(work, w.id) == complex.position(w);
-    };
+    const auto is_at_rest = [&](Corner end) { return rests(work, complex.vertex(end)); };
     const auto is_short = [&](Corner sheet) {
         const bool is_seam = complex.phase_at(sheet) != exterior_phase &&
                              phase_beyond(complex, sheet) != exterior_phase &&
@@ -249,8 +288,30 @@ void collapse_short_sheets(TopologyWork<Real>& work, Vertex v) {
     }
 }
 
+template <class Real>
+void mend_seams(TopologyWork<Real>& work, Vertex v) {
+    const Complex<Real>& complex = work.complex;
+    if (!complex.is_alive(v) || !is_junction(complex, v) || !rests(work, v.id) ||
+        find_corner(complex, v, [&](Corner c) { return complex.phase_at(c) == exterior_phase; }) !=
+            no_id) {
+        return;
+    }
+    const auto is_narrow = [&](Corner c) {
+        const auto at = [&](Corner k) { return complex.position(Vertex{complex.vertex(k)}); };
+        return height_over_longest<Real>(at(c), at(next(c)), at(prev(c))) <
+               static_cast<Real>(narrow);
+    };
+    const Corner tip = find_corner(complex, v, [&](Corner c) {
+        return is_tip(work, c) && (is_narrow(c) || is_narrow(complex.twin(c)));
+    });
+    if (!(tip != no_id && shorten_tip(work, tip)) && find_corner(complex, v, is_narrow) != no_id) {
+        (void)mend_star(work, v);
+    }
+}
+
 #define DSC_INSTANTIATE(Real)                                                                      \
     template bool mend_star(TopologyWork<Real>&, Vertex);                                          \
+    template void mend_seams(TopologyWork<Real>&, Vertex);                                         \
     template void collapse_short_sheets(TopologyWork<Real>&, Vertex);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
