@@ -41,6 +41,10 @@ bool has_one_phase(const Complex& complex, const Ring& ring) {
     });
 }
 
+bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
+    return edge.is_valid() && gather(complex, edge, ring) && !has_one_phase(complex, ring);
+}
+
 Real worst_quality(const Complex& complex, const Ring& ring) {
     Real worst = std::numeric_limits<Real>::max();
     for (std::uint32_t i = 0; i < ring.size; ++i) {

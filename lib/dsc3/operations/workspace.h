@@ -63,6 +63,9 @@ struct alignas(64) Workspace {
 /// Whether all tets around an edge have the same phase. O(size).
 [[nodiscard]] bool has_one_phase(const Complex& complex, const Ring& ring);
 
+/// Whether an edge exists and is on the interface. `ring` is then the tets around it. O(degree).
+[[nodiscard]] bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring);
+
 /// The smallest quality of the tets around an edge. O(size).
 [[nodiscard]] Real worst_quality(const Complex& complex, const Ring& ring);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr int patient_passes = 2; // later passes use more effort and lower thresholds
 constexpr int refine_after = 3;   // passes
 constexpr int unjam_after = 4;    // passes
-// If one is beside a junction curve: until then new vertices may let them arrive.
+// If a blocked vertex is beside a junction curve: before that, refinement may free it.
 constexpr int unjam_at_curves_after = 6;
 // Tets around a vertex that has not arrived are improved if their quality is below this.
 constexpr Real blocking_quality = 0.35;
@@ -50,12 +50,6 @@ void list_blocking(PassState& state) {
             }
         });
     append_chunks(state.unfit, state.lists, chunks);
-}
-
-bool is_any_beside_curve(PassState& state) {
-    return std::any_of(state.pending.begin(), state.pending.end(), [&](std::uint32_t v) {
-        return is_beside_curve(state.complex, state.work, v);
-    });
 }
 
 void unjam(PassState& state) {
@@ -111,9 +105,8 @@ std::uint32_t arrive(PassState& state) {
         repair_mesh(state, state.options.quality, effort);
         drop_vanished(state);
         if (pass >= refine_after && !state.pending.empty()) {
-            if (pass < unjam_at_curves_after && is_any_beside_curve(state)) {
-                refine_crossings(state);
-            } else if (pass >= unjam_after) {
+            const bool refined = pass < unjam_at_curves_after && refine_crossings(state);
+            if (!refined && pass >= unjam_after) {
                 unjam(state);
             }
             repair_mesh(state, state.options.quality, Effort::more);

@@ -97,20 +97,6 @@ void look_at(PassState& state, std::uint32_t t, std::uint32_t chunk, Sight sight
     }
 }
 
-// By length, then by id, each edge once, so that the order does not depend on that of the search.
-template <class Before>
-void sort(std::vector<WantingEdge>& edges, Before before) {
-    std::sort(edges.begin(), edges.end(), [&](const WantingEdge& x, const WantingEdge& y) {
-        return x.square != y.square ? before(x.square, y.square)
-                                    : std::pair(x.a, x.b) < std::pair(y.a, y.b);
-    });
-    edges.erase(std::unique(edges.begin(), edges.end(),
-                            [](const WantingEdge& x, const WantingEdge& y) {
-                                return x.a == y.a && x.b == y.b;
-                            }),
-                edges.end());
-}
-
 // Looks at the tets `tet(k)`, k < n.
 template <class Tets>
 void look(PassState& state, std::size_t n, Tets tet, Sight sight) {
@@ -134,9 +120,9 @@ void look(PassState& state, std::size_t n, Tets tet, Sight sight) {
     append_chunks(state.too_short, state.short_edges, chunks);
     append_chunks(state.too_long, state.long_edges, chunks);
     append_chunks(state.to_flip, state.flips, chunks);
-    sort(state.too_short, std::less<>());
-    sort(state.too_long, std::greater<>());
-    sort(state.to_flip, std::less<>());
+    sort_once(state.too_short, std::less<>());
+    sort_once(state.too_long, std::greater<>());
+    sort_once(state.to_flip, std::less<>());
 }
 
 // Edits edges in submeshes and then those that are left; `edit(work, edge)` returns a verdict. Two
@@ -187,10 +173,6 @@ void collapse_short(PassState& state) {
                    ? verdict
                    : edge_collapse(complex, work, Vertex{edge.b}, Vertex{edge.a}, rules);
     });
-}
-
-bool is_on_interface(const Complex& complex, const EdgeAt& edge, Ring& ring) {
-    return edge.is_valid() && gather(complex, edge, ring) && !has_one_phase(complex, ring);
 }
 
 // While it lives, late vertices are where they should be, so that all are at the same time: between

@@ -5,7 +5,7 @@
 #include "dsc3/operations/edge_split.h"
 
 #include <algorithm>
-#include <tuple>
+#include <functional>
 
 namespace dsc3 {
 
@@ -46,8 +46,8 @@ WantingEdge longest_on_interface(PassState& state, std::uint32_t t, Real square)
             const EdgeAt edge{t, std::min(v[i], v[j]), std::max(v[i], v[j])};
             const Real length = squared_distance(complex.at(edge.a), complex.at(edge.b));
             if (length > longest.square && complex.is_interface(Vertex{edge.a}) &&
-                complex.is_interface(Vertex{edge.b}) && gather(complex, edge, state.work.ring) &&
-                !has_one_phase(complex, state.work.ring)) {
+                complex.is_interface(Vertex{edge.b}) &&
+                is_on_interface(complex, edge, state.work.ring)) {
                 longest = {length, edge.a, edge.b};
             }
         }
@@ -55,43 +55,8 @@ WantingEdge longest_on_interface(PassState& state, std::uint32_t t, Real square)
     return longest;
 }
 
-// Lists the edges to be split, longest first, and where the middles of the curved edges are at the
-// targets.
-void find_crossings(PassState& state) {
-    const PendingAtTargets at_targets(state);
-    const Real shortest = refined_length * state.options.edge_length;
-    auto& edges = state.too_long;
-    edges.clear();
-    for (const std::uint32_t v : state.pending) {
-        if (!is_beside_curve(state.complex, state.work, v)) {
-            continue;
-        }
-        for (const Corner corner : state.work.star.corners) {
-            if (quality_of(state.complex, tet_of(corner)) <= inverted_quality) {
-                const WantingEdge edge =
-                    longest_on_interface(state, tet_of(corner), shortest * shortest);
-                if (edge.a != no_id) {
-                    edges.push_back(edge);
-                }
-            }
-        }
-    }
-    std::sort(edges.begin(), edges.end(), [](const WantingEdge& x, const WantingEdge& y) {
-        return std::tuple(y.square, x.a, x.b) < std::tuple(x.square, y.a, y.b);
-    });
-    edges.erase(std::unique(edges.begin(), edges.end(),
-                            [](const WantingEdge& x, const WantingEdge& y) {
-                                return x.a == y.a && x.b == y.b;
-                            }),
-                edges.end());
-    state.middles.clear();
-    for (const WantingEdge& edge : edges) {
-        state.middles.push_back(state.options.insertion(state.complex, state.work, edge.a, edge.b));
-    }
-}
-
-} // namespace
-
+// Whether a vertex of the interface has one of a junction curve, or itself, in its star, which the
+// workspace then holds. O(degree^2).
 bool is_beside_curve(const Complex& complex, Workspace& work, std::uint32_t v) {
     gather(complex, v, work.star);
     work.star.met.clear();
@@ -103,9 +68,44 @@ bool is_beside_curve(const Complex& complex, Workspace& work, std::uint32_t v) {
     });
 }
 
-void refine_crossings(PassState& state) {
+// Lists the edges to be split, longest first, and where the middles of the curved edges are at the
+// targets. Returns false if no pending vertex is beside a curve.
+bool find_crossings(PassState& state) {
+    const PendingAtTargets at_targets(state);
+    const Real shortest = refined_length * state.options.edge_length;
+    auto& edges = state.too_long;
+    edges.clear();
+    bool is_any_beside_curve = false;
+    for (const std::uint32_t v : state.pending) {
+        if (!is_beside_curve(state.complex, state.work, v)) {
+            continue;
+        }
+        is_any_beside_curve = true;
+        for (const Corner corner : state.work.star.corners) {
+            if (quality_of(state.complex, tet_of(corner)) <= inverted_quality) {
+                const WantingEdge edge =
+                    longest_on_interface(state, tet_of(corner), shortest * shortest);
+                if (edge.a != no_id) {
+                    edges.push_back(edge);
+                }
+            }
+        }
+    }
+    sort_once(edges, std::greater<>());
+    state.middles.clear();
+    for (const WantingEdge& edge : edges) {
+        state.middles.push_back(state.options.insertion(state.complex, state.work, edge.a, edge.b));
+    }
+    return is_any_beside_curve;
+}
+
+} // namespace
+
+bool refine_crossings(PassState& state) {
     Complex& complex = state.complex;
-    find_crossings(state);
+    if (!find_crossings(state)) {
+        return false;
+    }
     state.work.rewiring.changed.clear();
     for (std::size_t k = 0; k < state.too_long.size(); ++k) {
         const WantingEdge& edge = state.too_long[k];
@@ -123,6 +123,7 @@ void refine_crossings(PassState& state) {
         }
     }
     state.collect_unfit(state.options.quality);
+    return true;
 }
 
 } // namespace dsc3

@@ -6,15 +6,12 @@
 
 namespace dsc3 {
 
-/// Whether a vertex of the interface has one of a junction curve, or itself, in its star.
-/// O(degree^2).
-[[nodiscard]] bool is_beside_curve(const Complex& complex, Workspace& work, std::uint32_t v);
-
 /// Where two curves leave a point at a small angle, a chord of one cuts off vertices of the other,
 /// though the curves do not cross: no movement lets all of them arrive. Of each tet beside a
 /// pending vertex near a curve that would be inverted if all vertices were at their targets, the
 /// longest edge on the interface is split at its middle; the new vertices are pending, too, with
-/// targets on the curved edges. O(degrees of the pending vertices).
-void refine_crossings(PassState& state);
+/// targets on the curved edges. Returns false, and does nothing, if no pending vertex has one of a
+/// junction curve, or itself, in its star. O(degree^2) for each pending vertex.
+bool refine_crossings(PassState& state);
 
 } // namespace dsc3

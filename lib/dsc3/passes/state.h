@@ -8,6 +8,7 @@
 #include "dsc3/parallel/team.h"
 #include "dsc3/passes/options.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -37,6 +38,21 @@ struct Follower {
     std::uint32_t vertex;
     std::uint32_t count;
 };
+
+/// Sorts by length, then by id, and keeps each edge once, so that the order does not depend on that
+/// of the search. O(n log n).
+template <class Before>
+void sort_once(std::vector<WantingEdge>& edges, Before before) {
+    std::sort(edges.begin(), edges.end(), [&](const WantingEdge& x, const WantingEdge& y) {
+        return x.square != y.square ? before(x.square, y.square)
+                                    : std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
+    edges.erase(std::unique(edges.begin(), edges.end(),
+                            [](const WantingEdge& x, const WantingEdge& y) {
+                                return x.a == y.a && x.b == y.b;
+                            }),
+                edges.end());
+}
 
 /// Of one thread: no cache line is also another thread's.
 struct alignas(64) ThreadScratch {
