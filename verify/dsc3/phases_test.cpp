@@ -240,5 +240,44 @@ TEST(Phases3, NewVerticesLieOnCurvesAndOnSheetsBesideThem) {
     EXPECT_LT(curved[1], 0.4 * straight[1]);
 }
 
+// Beside a bump of a flat sheet, normals are tilted: edges from there to the circle where the sheet
+// ends are not bent as if all of it were curved.
+TEST(Phases3, TiltedNormalsBendNoSheetUpToItsCurve) {
+    Complex complex = divided_ball(1);
+    Workspace work;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges; // from the sheet to the circle
+    std::vector<std::uint32_t> sheet;
+    for_each_interface_star(
+        complex, [&](std::uint32_t v, const InterfaceStar& star, Stratum stratum) {
+            if (stratum != Stratum::sheet || std::abs(plane(0)(complex.at(v))) > 1e-9) {
+                return;
+            }
+            sheet.push_back(v);
+            for (const StarEdge& edge : star.edges) {
+                if (std::abs((complex.at(edge.vertex) - centre).norm() - radius) < 1e-9) {
+                    edges.emplace_back(v, edge.vertex);
+                }
+            }
+        });
+    ASSERT_GT(edges.size(), 40U);
+    double most = 0;
+    double sum = 0;
+    std::uint32_t bent = 0;
+    for (const std::uint32_t bump : sheet) {
+        const Point flat = complex.at(bump);
+        complex.vertices[bump].position += 0.2 * h * planes.col(0);
+        for (const auto& [v, end] : edges) {
+            const double off = std::abs(plane(0)(curved_middle(complex, work, v, end)));
+            if (v != bump && off > 1e-12) {
+                most = std::max(most, off);
+                sum += off;
+                ++bent;
+            }
+        }
+        complex.vertices[bump].position = flat;
+    }
+    EXPECT_LT(most, 0.02 * h);
+}
+
 } // namespace
 } // namespace dsc3::test::phases_test

@@ -12,9 +12,13 @@ namespace dsc3 {
 
 namespace {
 
-// An offset of at most a fifth of the edge.
-Point limited(const Point& middle, const Point& offset, const Point& edge) {
-    const Real limit = 0.2 * edge.norm();
+// The largest offset, in lengths of the edge; where a sheet ends, its normals tell less of it.
+constexpr Real largest_offset = 0.2;
+constexpr Real largest_at_end = 0.1;
+// An edge goes on along another if the cosine of their angle is above this.
+constexpr Real goes_on = 0.5;
+
+Point limited(const Point& middle, const Point& offset, Real limit) {
     const Real length = offset.norm();
     return middle + (length > limit ? Point((limit / length) * offset) : offset);
 }
@@ -62,7 +66,42 @@ Point middle_of_curve(const Complex& complex, std::uint32_t before_a, std::uint3
     }
     const Point middle = midpoint(complex.at(a), complex.at(b));
     return limited(middle, interpolate({points.data(), n}, {t.data(), n}, at) - middle,
-                   complex.at(b) - complex.at(a));
+                   largest_offset * (complex.at(b) - complex.at(a)).norm());
+}
+
+// The neighbour on the far side of the centre from the end of the edge, or null if none is.
+const StarEdge* opposite(const Complex& complex, const InterfaceStar& star, const Point& edge) {
+    const StarEdge* best = nullptr;
+    Real most = goes_on * edge.norm();
+    for (const StarEdge& one : star.edges) {
+        const Point way = complex.at(one.vertex) - complex.at(star.centre);
+        const Real along = way.dot(edge) / way.norm();
+        if (along > most) {
+            most = along;
+            best = &one;
+        }
+    }
+    return best;
+}
+
+// The share of its bend at the centre of the star that a sheet keeps along an edge, a vector to the
+// centre, at the other end of which it ends. Where the next vertex in the opposite direction is
+// bent less, the sheet is bent as the harmonic mean of both: not at all if it turns between them.
+Real kept_bend(const Complex& complex, Workspace& work, const InterfaceStar& star,
+               const Point& edge, Real rise, InterfaceStar& beyond) {
+    const StarEdge* const next = opposite(complex, star, edge);
+    if (next == nullptr) {
+        return 1;
+    }
+    gather(complex, next->vertex, work.star);
+    gather(complex, work.star, beyond);
+    if (!is_sheet(beyond)) {
+        return 1;
+    }
+    const Point way = complex.at(next->vertex) - complex.at(star.centre);
+    const Real near = rise / edge.squaredNorm();
+    const Real far = way.dot(normal(complex, beyond)) / way.squaredNorm();
+    return near * far > 0 ? std::min(2 * far / (near + far), Real(1)) : 0;
 }
 
 } // namespace
@@ -94,24 +133,23 @@ Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a, st
     const Point edge = complex.at(b) - complex.at(a);
     const Real rise_a = at_a.is_closed ? -edge.dot(at_a.normal) : 0;
     const Real rise_b = at_b.is_closed ? edge.dot(at_b.normal) : 0;
-    if (!at_a.is_closed && !at_b.is_closed) {
+    const bool is_between = at_a.is_closed && at_b.is_closed;
+    if ((!at_a.is_closed && !at_b.is_closed) || (is_between && !(rise_a * rise_b > 0))) {
         return middle;
     }
     // Where the curvature changes along the edge, as at the rim of a film, the arithmetic mean of
     // the rises would be too large by a third.
-    const bool is_between = at_a.is_closed && at_b.is_closed;
-    if (is_between && !(rise_a * rise_b > 0)) {
-        return middle;
-    }
     const Real sum = rise_a + rise_b;
-    const Real share = is_between ? 2 * rise_a * rise_b / (sum * sum) : 1;
+    const Real share = is_between       ? 2 * rise_a * rise_b / (sum * sum)
+                       : at_b.is_closed ? kept_bend(complex, work, star_b, edge, rise_b, star_a)
+                                        : kept_bend(complex, work, star_a, -edge, rise_a, star_b);
     // The offset of a cubic, 1/8 instead of the factor, times that of a circle over that of a
     // cubic.
     const Real sine = share * sum / edge.norm();
     const Real cosine = std::sqrt(std::max(1 - sine * sine, Real(0.25)));
     const Real factor = 0.5 * share / (cosine * (1 + cosine));
     const Point offset = factor * (rise_b * at_b.normal + rise_a * at_a.normal);
-    return limited(middle, offset, edge);
+    return limited(middle, offset, (is_between ? largest_offset : largest_at_end) * edge.norm());
 }
 
 } // namespace dsc3

@@ -19,9 +19,10 @@ using InsertionFunction =
 /// through them if there is one; at most a fifth of the edge's length from its middle. The two ends
 /// contribute their harmonic mean, so that it does not overshoot where the curvature changes along
 /// the edge (S. Amat et al., "Analysis of a new nonlinear subdivision scheme", 2006). If the sheet
-/// ends at a junction curve at one end, only the normal of the other end counts. On a junction
-/// curve: on the cubic through the four vertices around the edge. Returns the middle of the edge if
-/// the interface turns to different sides at its ends, or its normals point away from each other.
+/// ends at a junction curve at one end, the next vertex beyond the other end takes its place, where
+/// the curvature is less, and the offset is at most a tenth. On a junction curve: on the cubic
+/// through the four vertices around the edge. Returns the middle of the edge if the interface turns
+/// to different sides at its ends, or its normals point away from each other.
 [[nodiscard]] Point curved_middle(const Complex& complex, Workspace& work, std::uint32_t a,
                                   std::uint32_t b);
 

@@ -38,7 +38,7 @@ Real ascend(StarQuality& star, Real quality, Point& parameters, const AscentRule
         for (int attempt = 0; attempt < rules.attempts && !is_better; ++attempt) {
             const Point next = parameters + (step / length) * way;
             const Point to = place(next);
-            const Real needed = 1.0001 * quality;
+            const Real needed = (quality > 0 ? 1.0001 : 0.9999) * quality;
             const Real there = star.worst_above(to, needed);
             if (there > needed && is_allowed(next, to)) {
                 quality = there;

@@ -3,6 +3,7 @@
 
 #include "dsc3/geometry/tet.h"
 #include "dsc3/operations/edge_collapse.h"
+#include "dsc3/passes/clearance.h"
 #include "dsc3/passes/movement.h"
 #include "dsc3/passes/refinement.h"
 #include "dsc3/passes/repair.h"
@@ -18,7 +19,7 @@ constexpr int patient_passes = 2; // later passes use more effort and lower thre
 constexpr int refine_after = 3;   // passes
 constexpr int unjam_after = 4;    // passes
 // If a blocked vertex is beside a junction curve: before that, refinement may free it.
-constexpr int unjam_at_curves_after = 6;
+constexpr int unjam_at_curves_after = 8;
 // Tets around a vertex that has not arrived are improved if their quality is below this.
 constexpr Real blocking_quality = 0.35;
 // The quality threshold of movement falls by this factor in each pass, down to this minimum.
@@ -99,6 +100,9 @@ std::uint32_t arrive(PassState& state) {
     std::uint32_t passes = 0;
     for (int pass = 0; pass < state.options.max_passes && !state.pending.empty(); ++pass) {
         ++passes;
+        if (pass > refine_after) {
+            make_way(state);
+        }
         move_vertices(state, move_quality);
         list_blocking(state);
         const Effort effort = pass < patient_passes ? Effort::usual : Effort::more;

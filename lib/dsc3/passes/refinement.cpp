@@ -3,6 +3,7 @@
 
 #include "dsc3/geometry/tet.h"
 #include "dsc3/operations/edge_split.h"
+#include "dsc3/passes/pending_at_targets.h"
 
 #include <algorithm>
 #include <functional>
@@ -11,29 +12,11 @@ namespace dsc3 {
 
 namespace {
 
-// A tet below this quality at the targets is taken for inverted.
-constexpr Real inverted_quality = 1e-4;
 // Longer edges are split, in edge lengths: shorter ones would be collapsed and split in turn.
 constexpr Real refined_length = 0.5;
-
-// While it lives, the vertices that have not arrived are at their targets.
-class PendingAtTargets : public dsc::Unmovable {
-public:
-    explicit PendingAtTargets(PassState& state) : state_(state) {
-        for (const std::uint32_t v : state_.pending) {
-            state_.moving[v].origin = state_.complex.at(v);
-            state_.complex.vertices[v].position = state_.targets[v];
-        }
-    }
-    ~PendingAtTargets() {
-        for (const std::uint32_t v : state_.pending) {
-            state_.complex.vertices[v].position = state_.moving[v].origin;
-        }
-    }
-
-private:
-    PassState& state_;
-};
+// Where a curved edge of a sheet is farther from its middle, in lengths of the edge, the sheet is
+// not resolved: a vertex there could be beyond what it is to let pass.
+constexpr Real farthest = 0.03;
 
 // The longest edge of a tet that is on the interface and longer than the root of `square`; its ends
 // are `no_id` if there is none.
@@ -68,6 +51,18 @@ bool is_beside_curve(const Complex& complex, Workspace& work, std::uint32_t v) {
     });
 }
 
+Point middle_of(PassState& state, const WantingEdge& edge) {
+    const Complex& complex = state.complex;
+    const Point& a = complex.at(edge.a);
+    const Point& b = complex.at(edge.b);
+    const Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
+    const Point middle = midpoint(a, b);
+    const bool is_resolved =
+        (place - middle).norm() <= farthest * (b - a).norm() ||
+        (is_off_sheets(complex, state.work, edge.a) && is_off_sheets(complex, state.work, edge.b));
+    return is_resolved ? place : middle;
+}
+
 // Lists the edges to be split, longest first, and where the middles of the curved edges are at the
 // targets. Returns false if no pending vertex is beside a curve.
 bool find_crossings(PassState& state) {
@@ -94,7 +89,7 @@ bool find_crossings(PassState& state) {
     sort_once(edges, std::greater<>());
     state.middles.clear();
     for (const WantingEdge& edge : edges) {
-        state.middles.push_back(state.options.insertion(state.complex, state.work, edge.a, edge.b));
+        state.middles.push_back(middle_of(state, edge));
     }
     return is_any_beside_curve;
 }
