@@ -6,6 +6,7 @@
 #include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/fronts/front_curve.h"
 #include "topology/fronts/front_point.h"
 #include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
@@ -21,6 +22,9 @@ namespace dsc {
 namespace {
 
 constexpr std::size_t max_rounds_of_piece = 32;
+/// More than three fronts make several junctions, which grow together to one only if they reach it
+/// within so many sub-steps.
+constexpr double most_shares = 2;
 
 template <class Real>
 class LastPiece {
@@ -30,28 +34,31 @@ public:
         : work_(work), complex_(work.complex), submesh_(work.complex), piece_(piece),
           outline_(outline), film_(work.complex.phase(piece.front())) {}
 
-    bool run() {
+    Closing run() {
         Phase other = film_;
         bool is_one = true;
         for (const Corner c : outline_) {
             ends_.push_back(complex_.vertex(next(c)));
             if (is_border(complex_.twin(c))) {
-                return false;
+                return Closing::impossible;
             }
             const Phase beyond = phase_beyond(complex_, c);
             if (rule_of(work_.options, work_.edge_length, film_, beyond).rule != Topology::change) {
-                return false;
+                return Closing::impossible;
             }
             is_one = is_one && (other == film_ || beyond == other);
             other = beyond;
         }
         if (is_one) {
-            return false;
+            return Closing::impossible;
         }
         const Point<Real> place = meeting_place();
+        if (has_many_fronts() && shares_ > static_cast<Real>(most_shares)) {
+            return Closing::later;
+        }
         const std::uint32_t centre = vertex_within();
         if (centre == no_id) {
-            return false;
+            return Closing::impossible;
         }
         // Flips make all of the piece the star of the centre.
         for (std::size_t round = 0; round < max_rounds_of_piece; ++round) {
@@ -78,10 +85,19 @@ public:
         for (const std::uint32_t v : ends_) {
             mend_star(work_, Vertex{v});
         }
-        return true;
+        return Closing::done;
     }
 
 private:
+    [[nodiscard]] bool has_many_fronts() const {
+        std::vector<Phase> beyond;
+        for (const Corner c : outline_) {
+            beyond.push_back(phase_beyond(complex_, c));
+        }
+        std::ranges::sort(beyond);
+        return std::unique(beyond.begin(), beyond.end()) - beyond.begin() > 3;
+    }
+
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
     [[nodiscard]] bool is_of_film(Corner c) const {
         return !is_border(c) && complex_.phase_at(c) == film_;
@@ -142,7 +158,7 @@ private:
     // The place and the time t with n.(place - p) = v t for the normal n, the speed v and a point p
     // of each edge of the outline, weighted by length, in the sense of least squares. Held a little
     // to the mean of the outline: between two parallel fronts it could be anywhere.
-    [[nodiscard]] Point<Real> meeting_place() const {
+    [[nodiscard]] Point<Real> meeting_place() {
         constexpr double hold = 1e-4;
         Point<double> mean = Point<double>::Zero();
         double perimeter = 0;
@@ -157,23 +173,22 @@ private:
         Eigen::Matrix3d matrix = Eigen::Vector3d(hold, hold, 0).asDiagonal();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         for (const Corner c : outline_) {
-            const auto way = direction(complex_, c).template cast<double>().eval();
-            const auto from = at(complex_.vertex(next(c))).template cast<double>().eval();
-            const double length = way.norm();
+            const auto length = static_cast<double>(direction(complex_, c).norm());
             if (!(length > 0)) {
                 continue;
             }
-            const Point<double> n(-way.y() / length, way.x() / length);
-            const Real own = std::max(speed_of_edge(c).value_or(speed), Real(0));
+            const CurvePoint<Real> front = curve_now(work_, c, Real(0.5), speed);
+            const Point<double> n = front.normal.template cast<double>();
+            const auto own_speed =
+                speed_of(work_, front_point(complex_, c, Real(0.5)), front.normal);
+            const Real own = std::max(own_speed.value_or(speed), Real(0));
             const double rate = speed > 0 ? static_cast<double>(own / speed) : 1.0;
-            const auto lead = static_cast<double>(
-                lead_of(work_, front_point(complex_, c, Real(0.5)),
-                        Point<Real>(n.template cast<Real>()), speed > 0 ? own : Real(0)));
             const Eigen::Vector3d row(n.x(), n.y(), -rate);
             matrix += length / perimeter * row * row.transpose();
-            right += length / perimeter * (n.dot(from - mean) - lead) * row;
+            right += length / perimeter * n.dot(front.place.template cast<double>() - mean) * row;
         }
         const Eigen::Vector3d solution = matrix.ldlt().solve(right);
+        shares_ = speed > 0 ? static_cast<Real>(solution.z()) / speed : Real(0);
         return (mean + solution.head<2>()).template cast<Real>();
     }
 
@@ -256,19 +271,20 @@ private:
     std::span<const Corner> outline_;
     Phase film_;
     std::vector<std::uint32_t> ends_; ///< the vertices of the outline
+    Real shares_ = 0;                 ///< of a sub-step until the fronts reach the meeting place
 };
 
 } // namespace
 
 template <class Real>
-bool close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
-                      std::span<const Corner> outline) {
+Closing close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
+                         std::span<const Corner> outline) {
     return LastPiece<Real>(work, piece, outline).run();
 }
 
-template bool close_last_piece(TopologyWork<double>&, std::span<const Triangle>,
-                               std::span<const Corner>);
-template bool close_last_piece(TopologyWork<float>&, std::span<const Triangle>,
-                               std::span<const Corner>);
+template Closing close_last_piece(TopologyWork<double>&, std::span<const Triangle>,
+                                  std::span<const Corner>);
+template Closing close_last_piece(TopologyWork<float>&, std::span<const Triangle>,
+                                  std::span<const Corner>);
 
 } // namespace dsc

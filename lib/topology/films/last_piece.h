@@ -9,13 +9,19 @@
 
 namespace dsc {
 
+/// What became of a piece.
+enum class Closing {
+    done,
+    later,      ///< its fronts are too far from one place yet
+    impossible, ///< it has only one phase around it or reaches the domain boundary, or its
+                ///< triangles are in the way: then it may have other triangles
+};
+
 /// Moves a vertex of the piece to the place that all fronts around it reach at the same time, as
 /// nearly as they do, and gives each triangle about it to the phase beyond its outline. `outline`:
-/// all half-edges of the piece's outline. Returns false if the piece has only one phase around it
-/// or reaches the domain boundary, or its triangles are in the way: then it may have other
-/// triangles. O(triangles squared).
+/// all half-edges of the piece's outline. O(triangles squared).
 template <class Real>
-bool close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
-                      std::span<const Corner> outline);
+Closing close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
+                         std::span<const Corner> outline);
 
 } // namespace dsc

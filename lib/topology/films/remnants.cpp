@@ -166,7 +166,13 @@ private:
         if (!meet_in_points(phase)) {
             heirs_.resize(1);
         }
-        if (heirs_.size() == 1 || !close_last_piece<Real>(work_, piece_, outline_)) {
+        const Closing closing = heirs_.size() == 1
+                                    ? Closing::impossible
+                                    : close_last_piece<Real>(work_, piece_, outline_);
+        if (closing == Closing::later) {
+            return;
+        }
+        if (closing == Closing::impossible) {
             std::erase_if(piece_, [&](Triangle t) {
                 return !complex_.is_alive(t) || complex_.phase(t) != phase;
             });

@@ -117,11 +117,21 @@ CurvePoint<Real> curve_at(const TopologyWork<Real>& work, Corner edge, Real shar
 
 template <class Real>
 CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
-                           const Point<Real>& normal, Real speed) {
-    return point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
-        return work.complex.position(Vertex{v}) -
-               lead_of(work, front_point<Real>(v), normal, speed) * normal;
-    });
+                           Real other_speed) {
+    CurvePoint<Real> point = curve_at(work, edge, share);
+    bool is_tilted = true;
+    for (int round = 0; round < rounds_of_normal && is_tilted; ++round) {
+        const Real speed = speed_of(work, front_point(work.complex, edge, share), point.normal)
+                               .value_or(other_speed);
+        const Point<Real> normal = point.normal;
+        is_tilted = false;
+        point = point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
+            const Real lead = lead_of(work, front_point<Real>(v), normal, speed);
+            is_tilted = is_tilted || lead != 0;
+            return work.complex.position(Vertex{v}) - lead * normal;
+        });
+    }
+    return point;
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
@@ -131,8 +141,7 @@ CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real sha
     template Point<Real> normal_now(const TopologyWork<Real>&, std::uint32_t,                      \
                                     const Sector<Real>&);                                          \
     template CurvePoint<Real> curve_at(const TopologyWork<Real>&, Corner, Real);                   \
-    template CurvePoint<Real> curve_now(const TopologyWork<Real>&, Corner, Real,                   \
-                                        const Point<Real>&, Real);
+    template CurvePoint<Real> curve_now(const TopologyWork<Real>&, Corner, Real, Real);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

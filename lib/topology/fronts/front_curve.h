@@ -42,6 +42,6 @@ template <class Real>
 /// vertices are ahead: it goes so far along the normal in a sub-step. O(degrees).
 template <class Real>
 [[nodiscard]] CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
-                                         const Point<Real>& normal, Real speed);
+                                         Real other_speed);
 
 } // namespace dsc

@@ -110,28 +110,29 @@ private:
         Real shares; ///< of a sub-step from now
     };
     // The place on the bisector of the two fronts that both reach at the same time, each along its
-    // normal.
+    // normal, on the way from one to the other.
     [[nodiscard]] static Meet meeting_of(const Sight<Real>& sight, const Point<Real>& v,
                                          const Point<Real>& q) {
-        Real speed_v = std::max(sight.speed_v, Real(0));
-        Real speed_q = std::max(sight.speed_q, Real(0));
-        const bool has_speeds = speed_v + speed_q > 0;
-        if (!has_speeds) {
-            speed_v = speed_q = 1;
-        }
+        const Speeds speeds = speeds_of(sight);
         const Real gap = (q - v).norm();
-        const Real shares = (gap + sight.lead_v + sight.lead_q) / (speed_v + speed_q);
-        const Real offset = std::clamp(shares * speed_v - sight.lead_v, Real(0), gap);
+        const Real shares = (gap + sight.lead_v + sight.lead_q) / (speeds.v + speeds.q);
+        const Real offset = std::clamp(shares * speeds.v - sight.lead_v, Real(0), gap);
         // Exact along an axis.
         const Point<Real> p = gap > 0 ? Point<Real>(v + offset / gap * (q - v)) : v;
-        Meet meet{.place = p, .shares = has_speeds ? shares : Real(0)};
+        if (sight.is_on_boundary) {
+            return {.place = side_at<Real>(v, p, q, false) == Side::straight ? p : v,
+                    .shares = speeds.are_known ? shares : Real(0)};
+        }
+        return meeting_beside(sight, v, q, {.place = p, .shares = shares});
+    }
+    // That which is beside another place; the same if the fronts do not face each other.
+    [[nodiscard]] static Meet meeting_beside(const Sight<Real>& sight, const Point<Real>& v,
+                                             const Point<Real>& q, Meet meet) {
+        const auto [speed_v, speed_q, are_known] = speeds_of(sight);
+        meet.shares = are_known ? meet.shares : Real(0);
         Point<Real> across = sight.normal_v - sight.normal_q;
         const Real size = across.norm();
         if (!(size > Real(0.5))) {
-            return meet; // the fronts do not face each other
-        }
-        if (sight.is_on_boundary) {
-            meet.place = side_at<Real>(v, p, q, false) == Side::straight ? p : v;
             return meet;
         }
         across /= size;
@@ -144,9 +145,20 @@ private:
         const auto from_v = [&] { return (meet.place - v).dot(sight.normal_v) + sight.lead_v; };
         const auto from_q = [&] { return (meet.place - q).dot(sight.normal_q) + sight.lead_q; };
         const Real along = (speed_v * from_q() - speed_q * from_v()) / rate;
-        meet.place += std::clamp(along, -gap / 2, gap / 2) * across;
-        meet.shares = has_speeds ? (from_v() + from_q()) / (speed_v + speed_q) : Real(0);
+        const Real most = (q - v).norm() / 2;
+        meet.place += std::clamp(along, -most, most) * across;
+        meet.shares = are_known ? (from_v() + from_q()) / (speed_v + speed_q) : Real(0);
         return meet;
+    }
+    struct Speeds {
+        Real v;
+        Real q;
+        bool are_known; ///< otherwise equal
+    };
+    [[nodiscard]] static Speeds speeds_of(const Sight<Real>& sight) {
+        const Real v = std::max(sight.speed_v, Real(0));
+        const Real q = std::max(sight.speed_q, Real(0));
+        return v + q > 0 ? Speeds{v, q, true} : Speeds{1, 1, false};
     }
 
     // Returns the vertex that is left; none if triangles are in the way.
@@ -172,6 +184,14 @@ private:
             return no_id;
         }
         const double before = work_.swept;
+        if (sight.is_passed) {
+            const std::uint32_t end = join_end(sight);
+            if (end != no_id) {
+                tell(sight, end, work_.swept - before);
+            }
+            work_.swept = before;
+            return end;
+        }
         std::uint32_t kept = sight.q == no_id ? no_id : meet_at(sight, sight.q);
         const Corner edge = find_corner(complex_, Vertex{v}, [&](Corner c) {
             return complex_.vertex(next(c)) == ends[0] && complex_.vertex(prev(c)) == ends[1];
@@ -191,14 +211,29 @@ private:
         return kept;
     }
 
+    // With the end of a seam, which is where the fronts met: it stays there, as far ahead as it is.
+    std::uint32_t join_end(const Sight<Real>& sight) {
+        const TimeAhead<Real> ahead = work_.ahead[Vertex{sight.q}];
+        const std::uint32_t kept = contract<Real>(work_, sight.v, sight.q, at(sight.q));
+        if (kept != no_id) {
+            work_.ahead[Vertex{kept}] = ahead;
+        }
+        return kept;
+    }
+
     // With a vertex of the other front.
     std::uint32_t meet_at(const Sight<Real>& sight, std::uint32_t q) {
         const std::uint32_t v = sight.v;
         const Point<Real> middle = (at(v) + at(q)) / Real(2);
-        const Meet meet = meeting_of(sight, at(v), sight.front_q);
+        Meet meet = meeting_of(sight, at(v), sight.front_q);
         std::uint32_t kept = contract(work_, v, q, meet.place);
         if (kept == no_id && !sight.is_on_boundary) {
-            kept = contract<Real>(work_, v, q, middle);
+            // Beside the end of a seam a triangle may be in the way.
+            meet = meeting_beside(sight, at(v), sight.front_q, {middle, meet.shares});
+            kept = contract(work_, v, q, meet.place);
+            if (kept == no_id) {
+                kept = contract<Real>(work_, v, q, middle);
+            }
         }
         if (kept != no_id) {
             put_ahead(work_, kept, meet.shares, (sight.speed_v + sight.speed_q) / 2);

@@ -2,6 +2,7 @@
 #include "topology/fronts/sight.h"
 
 #include "dsc/queries/phases.h"
+#include "topology/fronts/encounter.h"
 #include "topology/fronts/front_curve.h"
 #include "topology/fronts/front_point.h"
 #include "topology/junctions/sectors.h"
@@ -80,7 +81,17 @@ private:
     void look_into(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
                    std::optional<Sight<Real>>& best) const {
         const Sector<Real>& sector = sectors[k];
-        if (!meet_in_points(sector.phase) || (sector.angle < min_sector && !is_pocket(sector))) {
+        if (!meet_in_points(sector.phase)) {
+            return;
+        }
+        if (sectors.size() == 2) {
+            const auto end = see_passed_end(work_, scratch_, v, k);
+            if (end && (!best || end->gap < best->gap)) {
+                best = end;
+                return;
+            }
+        }
+        if (sector.angle < min_sector && !is_pocket(sector)) {
             return;
         }
         Corner c = sector.first;
@@ -138,7 +149,9 @@ private:
         if (best && !(gap < best->gap)) {
             return;
         }
-        if (!encloses && !faces(v, sector, towards)) {
+        // A pocket closes at the vertex that lies on one of its fronts alone.
+        if (encloses ? phase_beyond(complex_, next(c)) != phase_beyond(complex_, prev(c))
+                     : !faces(v, sector, towards)) {
             return;
         }
         const Real near = static_cast<Real>(snap) * work_.edge_length;
@@ -156,34 +169,9 @@ private:
         sight.one = beyond(sectors, k, towards);
         sight.other = phase_beyond(complex_, c);
         sight.normal_v = normal_now(work_, v, sector);
-        if (encloses && !see_pocket(c, sight)) {
-            return;
-        }
-        const CurvePoint<Real> front = curve_at(work_, c, share);
-        sight.front_q = front.place;
-        sight.normal_q = front.normal;
         if (closes(sight, towards, encloses)) {
             best = sight;
         }
-    }
-
-    // A pocket between two fronts at whose corner both end: the vertex is a point of the sheet that
-    // is not the other front's. Returns false if three fronts are around it.
-    bool see_pocket(Corner c, Sight<Real>& sight) const {
-        const std::array edges{next(c), prev(c)};
-        const std::array beyond_them{phase_beyond(complex_, edges[0]),
-                                     phase_beyond(complex_, edges[1])};
-        if (beyond_them[0] == beyond_them[1]) {
-            return true;
-        }
-        if (beyond_them[0] != sight.other && beyond_them[1] != sight.other) {
-            return false;
-        }
-        const std::size_t own = beyond_them[0] == sight.other ? 1 : 0;
-        const Point<Real> along = direction(complex_, edges[own]);
-        sight.one = beyond_them[own];
-        sight.normal_v = Point<Real>(-along.y(), along.x()).normalized();
-        return true;
     }
 
     // Whether an edge from the sector's vertex to another lies within it.
@@ -305,19 +293,25 @@ private:
             return false;
         }
         const auto speed_v = speed_of(work_, own, sight.normal_v);
+        if (sight.q == no_id) {
+            const CurvePoint<Real> front =
+                curve_now(work_, sight.edge, sight.share, speed_v.value_or(Real(0)));
+            sight.front_q = front.place;
+            sight.normal_q = front.normal;
+        }
         const auto speed_q = speed_of(work_, other, sight.normal_q);
         sight.speed_v = speed_v.value_or(speed_q.value_or(Real(0)));
         sight.speed_q = speed_q.value_or(speed_v.value_or(Real(0)));
         sight.lead_v = lead_of(work_, own, sight.normal_v, sight.speed_v);
         if (sight.q != no_id) {
             sight.lead_q = lead_of(work_, other, sight.normal_q, sight.speed_q);
-        } else {
-            const CurvePoint<Real> front =
-                curve_now(work_, sight.edge, sight.share, sight.normal_q, sight.speed_q);
-            sight.front_q = front.place;
-            sight.normal_q = front.normal;
         }
-        return is_enclosed || sight.gap < std::max(reach, closing);
+        if (is_enclosed || sight.gap < std::max(reach, closing)) {
+            return true;
+        }
+        // Fronts at an angle meet sooner: the place comes towards the vertex along the other front.
+        const auto met = encounter_of(sight, at(sight.v));
+        return met && met->shares < 1;
     }
 
     const TopologyWork<Real>& work_;

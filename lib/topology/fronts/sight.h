@@ -29,6 +29,7 @@ struct Sight {
     Real lead_v = 0;             ///< by which v is ahead of its front, along its normal
     Real lead_q = 0;             ///< the same at q
     bool is_on_boundary = false; ///< both lie on the domain boundary
+    bool is_passed = false;      ///< q is the end of a seam that v belongs to
 };
 
 /// The arrays of one thread.

@@ -101,6 +101,9 @@ private:
         }
         const Phase before = sectors_.before(k).phase;
         const Phase after = sectors_.after(k).phase;
+        if (before == after && before != phase && is_displaced(work_, before)) {
+            return never; // fronts that have met do not part
+        }
         return may_change(work_, before, phase) && may_change(work_, phase, after)
                    ? energy_inwards(work_, before, phase, after, sectors_[k].angle)
                    : never;

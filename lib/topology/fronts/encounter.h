@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Where and when a vertex of a front meets another front on its way along its normal.
+#pragma once
+
+#include "topology/fronts/sight.h"
+
+#include <optional>
+
+namespace dsc {
+
+/// A vertex on its way meets the other front.
+template <class Real>
+struct Encounter {
+    Point<Real> place;
+    Real shares; ///< of a sub-step from now
+};
+
+/// Where v, which is at a place now, meets the tangent of the other front. Empty if the fronts
+/// hardly approach each other. O(1).
+template <class Real>
+[[nodiscard]] std::optional<Encounter<Real>> encounter_of(const Sight<Real>& sight,
+                                                          const Point<Real>& v);
+
+/// The end of a seam beside a vertex of one front, in sector k, if the other front reaches the
+/// vertex at the end, or on the seam that the end has left behind: the vertex is a part of the seam
+/// then, and would hold up the end. Only reads. O(degrees).
+template <class Real>
+[[nodiscard]] std::optional<Sight<Real>> see_passed_end(const TopologyWork<Real>& work,
+                                                        SightScratch<Real>& scratch,
+                                                        std::uint32_t v, std::size_t k);
+
+} // namespace dsc
