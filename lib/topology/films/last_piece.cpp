@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t max_rounds_of_piece = 32;
 /// More than three fronts make several junctions, which grow together to one only if they reach it
 /// within so many sub-steps.
-constexpr double most_shares = 2;
+constexpr double most_shares = 3;
 
 template <class Real>
 class LastPiece {
