@@ -211,6 +211,12 @@ template <class Real>
     const NotedPlace<Real>& place = work.places[Vertex{v}];
     return {place.x, place.y};
 }
+/// Whether a vertex has not moved in the sub-step, or is new.
+template <class Real>
+[[nodiscard]] bool rests(const TopologyWork<Real>& work, std::uint32_t v) {
+    return work.notes[Vertex{v}].round != work.round ||
+           place_before(work, v) == work.complex.position(Vertex{v});
+}
 
 /// Marks the vertices of this triangle as lying on a seam, from which the seam may extend.
 template <class Real>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Flat fronts that meet everywhere at once: no seam runs through the film from one place outwards,
-// and many contacts leave pockets between them. The seam is halfway, exactly.
+// Fronts that meet at once. Flat ones meet everywhere: no seam runs through the film from one place
+// outwards, and many contacts leave pockets between them; the seam is halfway, exactly. Those of
+// four discs meet in one point.
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/circulate.h"
 #include "dsc/complex/ranges.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 namespace dsc::fronts::parallel_fronts_test {
@@ -36,17 +38,19 @@ struct Seam {
     double max = 0;              ///< the same
     std::size_t size = 0;        ///< vertices
     std::size_t parted = 0;      ///< times that fronts which had met came apart
+    std::size_t exchanges = 0;   ///< events T1
     std::uint64_t unreached = 0; ///< vertices
     bool is_valid = false;       ///< at the end
     std::uint64_t mesh_hash = 0; ///< the same
 };
 
-// Two fronts at y = 0.4 and y = 0.5 meet at y = 0.45 at the time 0.05.
-Seam grow(double h, std::uint32_t threads) {
-    auto complex = initial_complex<double>(
-        {{0, 0}, {1, 1}}, {rectangle(0.3, 0.4, 1), rectangle(0.5, 0.6, 2)}, {.edge_length = h});
+Seam grow(const std::vector<Shape>& shapes, double until, double h, std::uint32_t threads) {
+    auto complex = initial_complex<double>({{0, 0}, {1, 1}}, shapes, {.edge_length = h});
     const Options<double> options{.edge_length = h};
-    const GrowthOptions<double> growing{.speeds = {{1, 0, 1.0}, {2, 0, 1.0}}};
+    GrowthOptions<double> growing;
+    for (const Shape& shape : shapes) {
+        growing.speeds.push_back({shape.phase, 0, 1.0});
+    }
     Simulation<double> simulation(complex, options,
                                   make_executor(complex, options, Parallel{.threads = threads},
                                                 growth_algorithm(complex, growing)));
@@ -56,9 +60,10 @@ Seam grow(double h, std::uint32_t threads) {
     const InterfaceFlow<double> flow = growth(growing);
     Seam seam;
     const double dt = h / 2;
-    for (int step = 0; step * dt < 0.08; ++step) {
+    for (int step = 0; step * dt < until; ++step) {
         seam.unreached += simulation.step(flow, step * dt, dt).unreached;
         for (const Event& event : topology->take_events()) {
+            seam.exchanges += event.kind == EventKind::t1 ? 1U : 0U;
             seam.parted += event.kind == EventKind::t1 && event.lost != exterior_phase &&
                                    event.taken[0] == exterior_phase &&
                                    event.taken[1] == exterior_phase
@@ -85,9 +90,12 @@ Seam grow(double h, std::uint32_t threads) {
     return seam;
 }
 
+// Two fronts at y = 0.4 and y = 0.5 meet at y = 0.45 at the time 0.05.
+const std::vector<Shape> flat{rectangle(0.3, 0.4, 1), rectangle(0.5, 0.6, 2)};
+
 TEST(ParallelFronts, MeetOnTheLineHalfway) {
     for (const double h : {0.02, 0.01, 0.005}) {
-        const Seam seam = grow(h, 1);
+        const Seam seam = grow(flat, 0.08, h, 1);
         EXPECT_TRUE(seam.is_valid) << h;
         EXPECT_EQ(seam.unreached, 0U) << h;
         EXPECT_EQ(seam.parted, 0U) << h;
@@ -98,7 +106,29 @@ TEST(ParallelFronts, MeetOnTheLineHalfway) {
 }
 
 TEST(ParallelFronts, MeetAlikeWithAnyThreads) {
-    EXPECT_EQ(grow(0.01, 2).mesh_hash, grow(0.01, 3).mesh_hash);
+    EXPECT_EQ(grow(flat, 0.08, 0.01, 2).mesh_hash, grow(flat, 0.08, 0.01, 3).mesh_hash);
+}
+
+// The corner in which four seams meet is not stable: two junctions are left of it, once.
+TEST(ParallelFronts, FourThatMeetInAPointStayThere) {
+    constexpr int points = 50;
+    std::vector<Shape> discs;
+    for (int k = 0; k < 4; ++k) {
+        const double along = (0.25 + 0.5 * k) * std::numbers::pi;
+        Shape disc{{}, static_cast<Phase>(k + 1)};
+        for (int i = 0; i < points; ++i) {
+            const double turn = 2 * std::numbers::pi * i / points;
+            disc.outline.emplace_back(0.5 + 0.2 * std::cos(along) + 0.08 * std::cos(turn),
+                                      0.5 + 0.2 * std::sin(along) + 0.08 * std::sin(turn));
+        }
+        discs.push_back(disc);
+    }
+    for (const double h : {0.02, 0.01}) {
+        const Seam seam = grow(discs, 0.2, h, 1);
+        EXPECT_TRUE(seam.is_valid) << h;
+        EXPECT_EQ(seam.unreached, 0U) << h;
+        EXPECT_LE(seam.exchanges, 1U) << h;
+    }
 }
 
 } // namespace

@@ -39,7 +39,8 @@ struct CurvePoint {
 template <class Real>
 [[nodiscard]] CurvePoint<Real> curve_at(const TopologyWork<Real>& work, Corner edge, Real share);
 /// The same on the curve where the front is at the time of the simulation, though some of its
-/// vertices are ahead: it goes so far along the normal in a sub-step. O(degrees).
+/// vertices are ahead. `other_speed`: along the normal in a sub-step, if the front's own is
+/// unknown. O(degrees).
 template <class Real>
 [[nodiscard]] CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
                                          Real other_speed);

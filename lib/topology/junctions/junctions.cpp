@@ -133,6 +133,12 @@ private:
     [[nodiscard]] bool may(Phase one, Phase other) const { return may_change(work_, one, other); }
 
     // --- inside the domain --------------------------------------------------------------------
+
+    // Two junctions at rest have not come closer: where fronts have met, they would exchange their
+    // neighbours to and fro.
+    [[nodiscard]] bool rest(Vertex v, Vertex w) const {
+        return rests(work_, v.id) && rests(work_, w.id);
+    }
     void perform_t1(Vertex v) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Corner at = here_[i].first; // the ray leads to the next corner of the domain
@@ -141,8 +147,9 @@ private:
                 continue;
             }
             find_sectors(complex_, w, there_);
-            const bool wants = there_.is_on_boundary ? there_.size() == 2 && wants_to_boundary(i)
-                                                     : there_.size() == 3 && wants_t1(i);
+            const bool wants = there_.is_on_boundary
+                                   ? there_.size() == 2 && wants_to_boundary(i)
+                                   : there_.size() == 3 && !rest(v, w) && wants_t1(i);
             if (wants && merge(v, w, !there_.is_on_boundary)) {
                 return;
             }

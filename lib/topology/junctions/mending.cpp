@@ -223,13 +223,6 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
     return true;
 }
 
-// Whether the vertex has not moved, or is new.
-template <class Real>
-bool rests(const TopologyWork<Real>& work, std::uint32_t v) {
-    return work.notes[Vertex{v}].round != work.round ||
-           place_before(work, v) == work.complex.position(Vertex{v});
-}
-
 // Whether the phase at a corner of a junction ends there in a single triangle, between two sheets
 // at rest that its short third edge joins.
 template <class Real>
