@@ -16,7 +16,7 @@ namespace {
 constexpr Real refined_length = 0.5;
 // Where a curved edge of a sheet is farther from its middle, in lengths of the edge, the sheet is
 // not resolved: a vertex there could be beyond what it is to let pass.
-constexpr Real farthest = 0.03;
+constexpr Real largest_bend = 0.03;
 
 // The longest edge of a tet that is on the interface and longer than the root of `square`; its ends
 // are `no_id` if there is none.
@@ -58,7 +58,7 @@ Point middle_of(PassState& state, const WantingEdge& edge) {
     const Point place = state.options.insertion(complex, state.work, edge.a, edge.b);
     const Point middle = midpoint(a, b);
     const bool is_resolved =
-        (place - middle).norm() <= farthest * (b - a).norm() ||
+        (place - middle).norm() <= largest_bend * (b - a).norm() ||
         (is_off_sheets(complex, state.work, edge.a) && is_off_sheets(complex, state.work, edge.b));
     return is_resolved ? place : middle;
 }
