@@ -44,7 +44,7 @@ TEST(JohnsonMehl, ASeamAcrossTheWholeSquareIsSeenAsItIs) {
     EXPECT_NEAR(diagram_error(complex, off, time).seam_rms, 0.01, 1e-3);
 }
 
-TEST(JohnsonMehl, TwoAndThreeDiscsFillTheSquareAsExactlyAsToday) {
+TEST(JohnsonMehl, TwoAndThreeDiscsLeaveLessWrongAreaThanTwoSquaredEdges) {
     const auto expect_less = [](const Case& one, double wrong_area) {
         const Result result = run(one);
         EXPECT_TRUE(result.is_full && result.is_valid) << one.number << ", " << one.h;
@@ -85,7 +85,7 @@ TEST(JohnsonMehl, JunctionsOfSeamsAtRestAreMended) {
     }
 }
 
-TEST(JohnsonMehl, TenDiscsFillTheSquareAsExactlyAsTodayWithAnyThreads) {
+TEST(JohnsonMehl, TenDiscsPutSeamsWithinHalfAnEdgeWithAnyThreads) {
     double sum = 0;
     std::uint64_t unreached = 0;
     for (const std::uint64_t seed : {11U, 12U, 13U, 14U, 15U, 16U}) {

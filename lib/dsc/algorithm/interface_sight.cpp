@@ -15,8 +15,8 @@ namespace dsc {
 
 namespace {
 
-/// The way of a vertex that is ahead depends on where the flow sees it: it settles in so many
-/// rounds.
+/// The way of a vertex that is ahead depends on where the flow sees it: after so many rounds that
+/// place hardly changes any more.
 constexpr int rounds_of_leads = 3;
 
 /// Whether `one`, rather than `other`, is on the left of a curve between these two phases.

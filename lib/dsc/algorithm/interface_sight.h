@@ -82,9 +82,9 @@ public:
 
 private:
     void look(std::span<const std::size_t> ends);
-    /// Finds how far vertices have gone ahead of the time, by the flow. The flow sees them where
-    /// they are now: a vertex that waits would pass its neighbours in the stages of the integrator,
-    /// and tilts their normals.
+    /// Finds how far vertices have gone ahead of the time, by the flow. The flow sees a vertex that
+    /// is ahead and waits where its front is now: at its own place, its neighbours would have
+    /// tilted normals, and it would pass them in the stages of the integrator.
     void find_leads(const InterfaceFlow<Real>& flow, Real time);
     /// The flow as a function of the positions of all of the interface, in the order of its list.
     /// Valid while `flow` exists. Locked and held vertices, and those whose stage is not finite,

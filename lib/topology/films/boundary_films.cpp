@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
@@ -55,17 +56,17 @@ private:
 
     // Visits runs of chords until the mesh is refined; returns whether it was.
     bool visit_runs() {
-        std::vector<bool> is_first(chords_.size(), true); // no other chord precedes it
+        std::vector<std::uint8_t> is_first(chords_.size(), 1); // no other chord precedes it
         for (const auto& chord : chords_) {
             const auto following = index_.find(along_outline(complex_, chord.sheet));
             if (following != index_.end()) {
-                is_first[following->second] = false;
+                is_first[following->second] = 0;
             }
         }
         is_refined_ = false;
         for (const bool starts : {true, false}) { // remaining chords lie on closed curves
             for (std::size_t i = 0; i < chords_.size() && !is_refined_; ++i) {
-                if (is_first[i] == starts && index_.contains(chords_[i].sheet)) {
+                if ((is_first[i] != 0) == starts && index_.contains(chords_[i].sheet)) {
                     visit_run(i);
                 }
             }

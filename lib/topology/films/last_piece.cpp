@@ -14,6 +14,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,8 +23,8 @@ namespace dsc {
 namespace {
 
 constexpr std::size_t max_rounds_of_piece = 32;
-/// More than three fronts make several junctions, which grow together to one only if they reach it
-/// within so many sub-steps.
+/// A piece among more than three fronts still has several junctions: it closes about one vertex
+/// only if its fronts reach that vertex's place within so many sub-steps.
 constexpr double most_shares = 3;
 
 template <class Real>
@@ -90,12 +91,20 @@ public:
 
 private:
     [[nodiscard]] bool has_many_fronts() const {
-        std::vector<Phase> beyond;
-        for (const Corner c : outline_) {
-            beyond.push_back(phase_beyond(complex_, c));
-        }
-        std::ranges::sort(beyond);
-        return std::unique(beyond.begin(), beyond.end()) - beyond.begin() > 3;
+        std::array<Phase, 3> found{};
+        std::size_t count = 0;
+        return std::ranges::any_of(outline_, [&](Corner c) {
+            const Phase beyond = phase_beyond(complex_, c);
+            const auto known = std::span(found).first(count);
+            if (std::ranges::find(known, beyond) != known.end()) {
+                return false;
+            }
+            if (count == found.size()) {
+                return true;
+            }
+            found[count++] = beyond;
+            return false;
+        });
     }
 
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }

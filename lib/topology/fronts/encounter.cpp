@@ -38,8 +38,11 @@ private:
     [[nodiscard]] std::optional<Sight<Real>> at_end(bool is_first) {
         const std::uint32_t q = is_first ? complex_.vertex(next(sector_.first))
                                          : complex_.vertex(prev(last_of(complex_, sector_)));
+        if (!is_junction(complex_, Vertex{q}) || complex_.is_locked(Vertex{q})) {
+            return {};
+        }
         find_sectors(complex_, Vertex{q}, there_);
-        if (there_.size() < 3 || there_.is_on_boundary || complex_.is_locked(Vertex{q})) {
+        if (there_.is_on_boundary) {
             return {};
         }
         for (const Sector<Real>& film : there_.list) {

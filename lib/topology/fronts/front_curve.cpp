@@ -12,8 +12,8 @@ namespace {
 
 /// Cosine of the largest turn (45 degrees) within one bend of a front.
 constexpr double bend_cosine = 0.7;
-/// The leads of vertices are taken along a normal that depends on them: it settles in so many
-/// rounds.
+/// The leads of vertices are taken along the normal, which depends on them: after so many rounds
+/// the normal hardly changes any more.
 constexpr int rounds_of_normal = 3;
 
 // Whether a front goes smoothly through a vertex: where it turns by more, it has a corner.

@@ -7,6 +7,7 @@
 #include "dsc/operations/edge_split.h"
 #include "topology/candidates.h"
 #include "topology/fronts/contraction.h"
+#include "topology/fronts/encounter.h"
 #include "topology/fronts/sight.h"
 
 #include <algorithm>
@@ -104,15 +105,10 @@ private:
         }
     }
 
-    /// Where and when two fronts meet.
-    struct Meet {
-        Point<Real> place;
-        Real shares; ///< of a sub-step from now
-    };
     // The place on the bisector of the two fronts that both reach at the same time, each along its
     // normal, on the way from one to the other.
-    [[nodiscard]] static Meet meeting_of(const Sight<Real>& sight, const Point<Real>& v,
-                                         const Point<Real>& q) {
+    [[nodiscard]] static Encounter<Real> meeting_of(const Sight<Real>& sight, const Point<Real>& v,
+                                                    const Point<Real>& q) {
         const Speeds speeds = speeds_of(sight);
         const Real gap = (q - v).norm();
         const Real shares = (gap + sight.lead_v + sight.lead_q) / (speeds.v + speeds.q);
@@ -125,9 +121,11 @@ private:
         }
         return meeting_beside(sight, v, q, {.place = p, .shares = shares});
     }
-    // That which is beside another place; the same if the fronts do not face each other.
-    [[nodiscard]] static Meet meeting_beside(const Sight<Real>& sight, const Point<Real>& v,
-                                             const Point<Real>& q, Meet meet) {
+    // Moves a place across the film onto the bisector. Fronts that do not face each other meet
+    // where the place is.
+    [[nodiscard]] static Encounter<Real> meeting_beside(const Sight<Real>& sight,
+                                                        const Point<Real>& v, const Point<Real>& q,
+                                                        Encounter<Real> meet) {
         const auto [speed_v, speed_q, are_known] = speeds_of(sight);
         meet.shares = are_known ? meet.shares : Real(0);
         Point<Real> across = sight.normal_v - sight.normal_q;
@@ -211,7 +209,8 @@ private:
         return kept;
     }
 
-    // With the end of a seam, which is where the fronts met: it stays there, as far ahead as it is.
+    // Joins a vertex to the end of a seam. The end keeps its place, where the fronts met, and its
+    // time ahead.
     std::uint32_t join_end(const Sight<Real>& sight) {
         const TimeAhead<Real> ahead = work_.ahead[Vertex{sight.q}];
         const std::uint32_t kept = contract<Real>(work_, sight.v, sight.q, at(sight.q));
@@ -225,7 +224,7 @@ private:
     std::uint32_t meet_at(const Sight<Real>& sight, std::uint32_t q) {
         const std::uint32_t v = sight.v;
         const Point<Real> middle = (at(v) + at(q)) / Real(2);
-        Meet meet = meeting_of(sight, at(v), sight.front_q);
+        Encounter<Real> meet = meeting_of(sight, at(v), sight.front_q);
         std::uint32_t kept = contract(work_, v, q, meet.place);
         if (kept == no_id && !sight.is_on_boundary) {
             // Beside the end of a seam a triangle may be in the way.

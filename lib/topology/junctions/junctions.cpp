@@ -66,13 +66,9 @@ public:
 
     void run(std::span<const Candidate> candidates) {
         std::vector<Vertex> list;
-        std::vector<Vertex> junctions;
         // A sharp turn between two edges can become a junction only if something has changed there.
         const bool is_changed = !work_.touched.empty();
         for (const auto& candidate : candidates) {
-            if (candidate.is_junction) {
-                junctions.push_back(Vertex{candidate.vertex});
-            }
             if ((is_changed ? candidate.is_sharp : candidate.is_junction) &&
                 complex_.is_alive(Vertex{candidate.vertex}) &&
                 may_split(complex_, Vertex{candidate.vertex}, shortest_)) {
@@ -84,7 +80,13 @@ public:
                 visit(v);
             }
         }
-        for (const Vertex v : in_order<Real>(complex_, junctions)) {
+        list.clear();
+        for (const auto& candidate : candidates) {
+            if (candidate.is_junction && has_narrow_seam(work_, Vertex{candidate.vertex})) {
+                list.push_back(Vertex{candidate.vertex});
+            }
+        }
+        for (const Vertex v : in_order<Real>(complex_, list)) {
             mend_seams(work_, v);
         }
     }

@@ -223,10 +223,16 @@ bool collapse_short_sheet(TopologyWork<Real>& work, Corner c) {
     return true;
 }
 
-// Whether the phase at a corner of a junction ends there in a single triangle, between two sheets
-// at rest that its short third edge joins.
 template <class Real>
-bool is_tip(const TopologyWork<Real>& work, Corner c) {
+bool is_narrow(const Complex<Real>& complex, Corner c) {
+    const auto at = [&](Corner k) { return complex.position(Vertex{complex.vertex(k)}); };
+    return height_over_longest<Real>(at(c), at(next(c)), at(prev(c))) < static_cast<Real>(narrow);
+}
+
+// Whether the phase at a corner of a junction ends there in a single triangle, between two sheets
+// at rest that its short third edge joins, and the triangle or the one beyond that edge is narrow.
+template <class Real>
+bool is_narrow_tip(const TopologyWork<Real>& work, Corner c) {
     const Complex<Real>& complex = work.complex;
     const Corner across = complex.twin(c);
     const Real shortest = static_cast<Real>(short_sheet) * work.edge_length;
@@ -234,6 +240,7 @@ bool is_tip(const TopologyWork<Real>& work, Corner c) {
            !is_sheet(complex, c) &&
            !(is_sheet(complex, next(across)) && is_sheet(complex, prev(across))) &&
            direction(complex, c).squaredNorm() < shortest * shortest &&
+           (is_narrow(complex, c) || is_narrow(complex, across)) &&
            std::ranges::all_of(std::array{next(c), prev(c)}, [&](Corner end) {
                const std::uint32_t v = complex.vertex(end);
                return rests(work, v) && !complex.is_feature(Vertex{v}) &&
@@ -282,28 +289,32 @@ void collapse_short_sheets(TopologyWork<Real>& work, Vertex v) {
 }
 
 template <class Real>
-void mend_seams(TopologyWork<Real>& work, Vertex v) {
+bool has_narrow_seam(const TopologyWork<Real>& work, Vertex v) {
     const Complex<Real>& complex = work.complex;
-    if (!complex.is_alive(v) || !is_junction(complex, v) || !rests(work, v.id) ||
-        find_corner(complex, v, [&](Corner c) { return complex.phase_at(c) == exterior_phase; }) !=
-            no_id) {
+    return complex.is_alive(v) && rests(work, v.id) && is_junction(complex, v) &&
+           find_corner(complex, v,
+                       [&](Corner c) { return complex.phase_at(c) == exterior_phase; }) == no_id &&
+           find_corner(complex, v, [&](Corner c) {
+               return is_narrow(complex, c) || is_narrow_tip(work, c);
+           }) != no_id;
+}
+
+template <class Real>
+void mend_seams(TopologyWork<Real>& work, Vertex v) {
+    if (!has_narrow_seam(work, v)) {
         return;
     }
-    const auto is_narrow = [&](Corner c) {
-        const auto at = [&](Corner k) { return complex.position(Vertex{complex.vertex(k)}); };
-        return height_over_longest<Real>(at(c), at(next(c)), at(prev(c))) <
-               static_cast<Real>(narrow);
-    };
-    const Corner tip = find_corner(complex, v, [&](Corner c) {
-        return is_tip(work, c) && (is_narrow(c) || is_narrow(complex.twin(c)));
-    });
-    if (!(tip != no_id && shorten_tip(work, tip)) && find_corner(complex, v, is_narrow) != no_id) {
+    const Complex<Real>& complex = work.complex;
+    const Corner tip = find_corner(complex, v, [&](Corner c) { return is_narrow_tip(work, c); });
+    if (!(tip != no_id && shorten_tip(work, tip)) &&
+        find_corner(complex, v, [&](Corner c) { return is_narrow(complex, c); }) != no_id) {
         (void)mend_star(work, v);
     }
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template bool mend_star(TopologyWork<Real>&, Vertex);                                          \
+    template bool has_narrow_seam(const TopologyWork<Real>&, Vertex);                              \
     template void mend_seams(TopologyWork<Real>&, Vertex);                                         \
     template void collapse_short_sheets(TopologyWork<Real>&, Vertex);
 DSC_INSTANTIATE(double)

@@ -20,9 +20,14 @@ bool mend_star(TopologyWork<Real>& work, Vertex v);
 template <class Real>
 void collapse_short_sheets(TopologyWork<Real>& work, Vertex v);
 
-/// Mends the narrow triangles of a junction between seams at rest, to which remeshing does not come
-/// any more. If the seams on both sides of a phase are nearly one before they meet, the phase ends
-/// in a needle: its tip is cut off where they are, so that the junction moves there. O(degrees).
+/// Whether the vertex is a junction between seams at rest, with narrow triangles. Only reads; false
+/// for a dead vertex. O(degree).
+template <class Real>
+[[nodiscard]] bool has_narrow_seam(const TopologyWork<Real>& work, Vertex v);
+
+/// Mends the narrow triangles of such a junction, to which remeshing does not come any more. If the
+/// seams on both sides of a phase are nearly one before they meet, the phase ends in a needle: its
+/// tip is cut off where they are, so that the junction moves there. O(degrees).
 template <class Real>
 void mend_seams(TopologyWork<Real>& work, Vertex v);
 
