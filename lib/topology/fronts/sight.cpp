@@ -115,13 +115,10 @@ private:
         return within_triangles(work_, contact_of(work_, film, other));
     }
 
-    // Away from both edges of the sector, or from the front where it is now: an edge to a vertex
-    // that is ahead leans over the film.
-    [[nodiscard]] bool faces(std::uint32_t v, const Sector<Real>& sector,
-                             const Point<Real>& towards) const {
+    // Away from both edges of the sector.
+    [[nodiscard]] static bool faces(const Sector<Real>& sector, const Point<Real>& towards) {
         const double angle = angle_between(sector.ray, towards);
-        return (angle >= min_angle && sector.angle - angle >= min_angle) ||
-               normal_now(work_, v, sector).dot(towards) >= static_cast<Real>(std::sin(min_angle));
+        return angle >= min_angle && sector.angle - angle >= min_angle;
     }
     // The phase beyond the side of the sector that a direction in it is nearer to.
     [[nodiscard]] static Phase beyond(const Sectors<Real>& sectors, std::size_t k,
@@ -151,7 +148,7 @@ private:
         }
         // A pocket closes at the vertex that lies on one of its fronts alone.
         if (encloses ? phase_beyond(complex_, next(c)) != phase_beyond(complex_, prev(c))
-                     : !faces(v, sector, towards)) {
+                     : !faces(sector, towards)) {
             return;
         }
         const Real near = static_cast<Real>(snap) * work_.edge_length;
@@ -195,7 +192,7 @@ private:
         gap = is_at_foot ? gap : length;
         const Point<Real> towards = way / length;
         if (!(length < Real(1.5) * max_gap) || (best && !(gap < best->gap)) || is_locked(q) ||
-            (!is_at_foot && !faces(v, sectors[k], towards))) {
+            (!is_at_foot && !faces(sectors[k], towards))) {
             return true;
         }
         Sectors<Real>& there = scratch_.there;
@@ -210,7 +207,7 @@ private:
                 angle_between(sector.ray, back) >= sector.angle) {
                 continue;
             }
-            if (sector.angle < min_sector || (!is_at_foot && !faces(q, sector, back))) {
+            if (sector.angle < min_sector || (!is_at_foot && !faces(sector, back))) {
                 return false;
             }
             Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
