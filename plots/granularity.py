@@ -6,12 +6,14 @@ granularity.py FILE.json... --out PICTURE.pdf
 
 The files are results of dsc_bench with rows NAME_step; modelled rows are left out.
 """
+import collections
 import math
 import sys
 
 from look import script, style  # first: reports a Python without matplotlib
 
 import numpy
+from matplotlib import colors
 from matplotlib.ticker import LogLocator
 
 from results import load, series
@@ -19,6 +21,7 @@ from results import load, series
 MARKERS = {series.GRANULARITY: "o", "scaling_step": "s", "four_circles_step": "^",
            "swirl_step": "D"}
 MOST = 4  # columns
+SHADE = 0.6  # of the distance from white that the next shade of a colour keeps
 LEVEL = (0, (4, 3))
 
 
@@ -95,11 +98,24 @@ def _panel(axes, points, looks, marker_of):
                       fontsize=8, va="top")
 
 
+def _in_shades(looks):
+    """The looks with colours that differ: of labels that share one, each is lighter than the one before."""
+    turns = collections.Counter()
+    shaded = {}
+    for label, (colour, marker) in looks.items():
+        ink = numpy.array(colors.to_rgb(colour))
+        shaded[label] = (colors.to_hex(1 - (1 - ink) * SHADE ** turns[colour]), marker)
+        turns[colour] += 1
+    return shaded
+
+
 def _picture(points, context):
     columns = sorted({p.n for p in points})[:MOST]
     looks = series.looks(series.by_label(points))
     families = series.families([p.row for p in points])
     is_one = len(families) == 1  # markers then tell strategies apart, else scenes
+    if not is_one:
+        looks = _in_shades(looks)
 
     def marker_of(point):
         return looks[point.label][1] if is_one else MARKERS.get(point.row.family, "p")

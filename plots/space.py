@@ -7,6 +7,7 @@ space.py FOLDER --out PICTURE.png
 The folder is one of `dsc_scene run --frames FOLDER` with one run in three dimensions.
 """
 import io
+import math
 import os
 import pathlib
 import re
@@ -90,6 +91,18 @@ def frames_of(folder):
     return [(float(time), read_ply(os.path.join(folder, name + ".ply"))) for time, name in chosen]
 
 
+def draw_scale(axes, low, high):
+    """A bar of a round length below the surface: the view is orthographic, so it holds everywhere in its plane."""
+    room = (high[0] - low[0]) / 3
+    power = 10 ** math.floor(math.log10(room))
+    length = max(digit * power for digit in (1, 2, 5) if digit * power <= room)
+    foot = low[1] - 0.04 * (high[1] - low[1])
+    axes.plot([low[0], low[0] + length], [foot, foot], color=style.INK, linewidth=1.5, solid_capstyle="butt",
+              clip_on=False)
+    axes.annotate(f"{length:g}", (low[0] + length, foot), (4, 0), textcoords="offset points", va="center",
+                  fontsize=8, annotation_clip=False)
+
+
 def draw(given):
     shown = frames_of(given.files[0])
     flat = numpy.concatenate([points for _, (points, _) in shown]) @ numpy.stack(view()[:2], axis=1)
@@ -103,6 +116,7 @@ def draw(given):
         axes.set_aspect("equal")
         axes.set_axis_off()
         axes.set_title(f"t = {time:g}", fontsize=9, pad=3)
+    draw_scale(panels[0, 0], low, high)
     figure.tight_layout(pad=0.3)
     yield style.Picture(name=OF_REPORT, title="The interface", figure=figure, is_mesh=True, sentence=f"The interface at {style.counted(len(shown), 'time')}.")
 
@@ -160,7 +174,8 @@ def section(out):
     drawn, _ = saving.for_page(saving.png_bytes(curves(results)), False)
     return (f'<figure><img alt="A ball becomes a film and a ball again" src="{page.inline(picture.getvalue())}">'
             "<figcaption>Enright's test: a ball, the film that it becomes at half of the period, and the ball that "
-            "comes back, with the triangles of the interface. Peers were measured by us or others, elsewhere."
+            "comes back, with the triangles of the interface, seen from far away; the bar is in units of the domain, "
+            "a cube of edge 1. Peers were measured by us or others, elsewhere."
             "</figcaption></figure>\n"
             f'<figure><img alt="Error against edge length, and CPU time against vertices" src="{page.inline(drawn)}">'
             "<figcaption>Dotted: second order, and vertices times steps, through the smallest edge length. With edges "
