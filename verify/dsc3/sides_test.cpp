@@ -124,7 +124,11 @@ TEST(Sides3, AnInterfaceStaysInFrontOfASideThatItMeets) {
     const Velocity towards_x = [](std::span<const Point> p, double, std::span<Point> v) {
         std::fill_n(v.begin(), p.size(), Point(-1, 0, 0));
     };
-    for (const Point& centre : {Point(0.3, 0.5, 0.5), Point(0.3, 0.5, 0), Point(0.3, 0, 0)}) {
+    std::vector<Point> centres{{0.3, 0, 0}};
+    if (!is_quick) {
+        centres.insert(centres.end(), {{0.3, 0.5, 0.5}, {0.3, 0.5, 0}});
+    }
+    for (const Point& centre : centres) {
         Complex complex = Ball{centre}.complex(h);
         Simulation simulation(complex, {.edge_length = h});
         for (int k = 0; k < 8; ++k) {
