@@ -159,6 +159,29 @@ TYPED_TEST(Operations, SplitOfTheSmallestTriangleInverts) {
     });
 }
 
+// Three vertices of a side are on one line, along whichever direction: rounding gives them an area.
+TYPED_TEST(Operations, CollapseMakesNoTriangleOfThreeVerticesOfASide) {
+    using Real = TypeParam;
+    int rounded = 0;
+    for (int i = 1; i < 100; ++i) {
+        const Point<Real> a(Real(0.1), Real(0.3));
+        const Point<Real> c(Real(0.1 + 0.03 * i), Real(0.7 + 0.01 * i));
+        const Point<Real> b = a + Real(0.37) * (c - a);
+        const Point<Real> up(a.y() - c.y(), c.x() - a.x());
+        const auto K = build<Real>({a, b, c, a + up, b + up / 4},
+                                   {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}, {0, 0, 0, 0});
+        const auto guard = [&](std::uint32_t side) {
+            const Edge e = K.find_edge(Vertex{side}, Vertex{4});
+            return edge_collapse_guard(K, Region{}, e.id, *end_of(K, e, Vertex{4}),
+                                       JunctionRule::kept, BoundaryRule::smooth);
+        };
+        EXPECT_EQ(guard(2), Verdict::inverts) << i;
+        EXPECT_EQ(guard(1), Verdict::legal) << i;
+        rounded += orientation<Real>(a, b, c) > 0 ? 1 : 0;
+    }
+    EXPECT_GT(rounded, 20) << "the test has lost its point";
+}
+
 // Along a straight side of the domain, and towards the submesh boundary (figure 6.12).
 TYPED_TEST(Operations, CollapseKeepsTheDomainAndTheSubmeshBoundary) {
     auto K = grid<TypeParam>(2);

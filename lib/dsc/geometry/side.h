@@ -47,6 +47,18 @@ struct SideHeight {
     Real height;
 };
 
+/// The tolerance covers the rounding of the three points, of midpoints of rounded edges, and of
+/// meshes from files with ten digits.
+template <class Real>
+bool is_straight(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to) {
+    const Real largest =
+        std::max({from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff(), at.cwiseAbs().maxCoeff()});
+    const SideHeight<Real> over(from, at, to);
+    const Real rounding = std::max(4 * std::numeric_limits<Real>::epsilon() * largest,
+                                   static_cast<Real>(1e-10) * over.chord);
+    return std::abs(over.height) <= rounding;
+}
+
 } // namespace detail
 
 /// The shape of the domain boundary at `at`, between its two neighbours. `is_marked`: the vertex
@@ -63,14 +75,19 @@ template <class Real>
                           static_cast<Real>(is_marked ? cosine_of_turn : cosine_of_corner))) {
         return Side::feature;
     }
-    // The tolerance covers the rounding of the three points, of midpoints of rounded edges, and of
-    // meshes from files with ten digits.
-    const Real largest =
-        std::max({from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff(), at.cwiseAbs().maxCoeff()});
-    const detail::SideHeight<Real> over(from, at, to);
-    const Real rounding = std::max(4 * std::numeric_limits<Real>::epsilon() * largest,
-                                   static_cast<Real>(1e-10) * over.chord);
-    return std::abs(over.height) <= rounding ? Side::straight : Side::curved;
+    return detail::is_straight<Real>(from, at, to) ? Side::straight : Side::curved;
+}
+
+/// Whether the triangle has an area only by rounding, as one of three points of a side that is
+/// straight, but along no axis. O(1).
+template <class Real>
+[[nodiscard]] bool is_flat(const Point<Real>& a, const Point<Real>& b, const Point<Real>& c) {
+    const Real ab = squared_distance<Real>(a, b);
+    const Real bc = squared_distance<Real>(b, c);
+    const Real ca = squared_distance<Real>(c, a);
+    return ab >= std::max(bc, ca) ? detail::is_straight<Real>(a, c, b)
+           : bc >= ca             ? detail::is_straight<Real>(b, a, c)
+                                  : detail::is_straight<Real>(c, b, a);
 }
 
 /// Whether the domain keeps its shape, up to rounding or `side_deviation`, if the vertex `at` of

@@ -84,7 +84,9 @@ Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, 
     const auto turns_over = [&](Corner c) {
         const std::uint32_t p = complex.vertex(next(c));
         const std::uint32_t q = complex.vertex(prev(c));
-        return p != keep && q != keep && orientation<Real>(at(keep), at(p), at(q)) <= 0;
+        return p != keep && q != keep &&
+               (orientation<Real>(at(keep), at(p), at(q)) <= 0 ||
+                (boundary == BoundaryRule::smooth && is_flat<Real>(at(keep), at(p), at(q))));
     };
     return find_corner(complex, Vertex{v}, turns_over) == no_id ? Verdict::legal : Verdict::inverts;
 }

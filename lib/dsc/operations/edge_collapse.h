@@ -17,13 +17,14 @@ namespace dsc {
 /// end of a curve into another vertex along the domain boundary.
 enum class JunctionRule : std::uint8_t { kept, may_merge };
 
-/// Which vertices may be collapsed along the domain boundary: those at which it is exactly straight
-/// (thesis, section 6.5), or those without which it keeps its shape within `side_deviation`.
+/// How the domain boundary is taken: exactly (thesis, section 6.5), so that a vertex may only leave
+/// where it is straight; or up to rounding and `side_deviation`, so that a vertex may leave where
+/// it keeps its shape, and three vertices of a side make no triangle, along whichever direction.
 enum class BoundaryRule : std::uint8_t { exact, smooth };
 
 /// Whether the vanishing end v of the edge opposite to `corner` may be merged into the other end.
 /// An interface vertex may be merged along its interface, a boundary vertex along the boundary.
-/// O(degree). The tests are exact, except that of `BoundaryRule::smooth`.
+/// O(degree). The tests are exact, except those of `BoundaryRule::smooth`.
 template <class Real>
 Verdict edge_collapse_guard(const Complex<Real>& complex, const Region& region, Corner corner,
                             rewire::Vanishing end, JunctionRule junctions = JunctionRule::kept,
