@@ -105,6 +105,17 @@ TEST(JohnsonMehl, TenDiscsPutSeamsWithinHalfAnEdgeWithAnyThreads) {
     EXPECT_EQ(hash(2), hash(3));
 }
 
+// Between two seams whose ends come to one place fast, the last edge of a front is still long when
+// they are there within a sub-step.
+TEST(JohnsonMehl, AFrontThatIsSqueezedOutLeavesTheTripleJunctionInItsPlace) {
+    for (const std::uint64_t seed : {21U, 41U}) {
+        const Result result = run({.number = 10, .seed = seed, .h = 0.01});
+        EXPECT_TRUE(result.is_full && result.is_valid) << seed;
+        EXPECT_EQ(result.unreached, 0U) << seed;
+        EXPECT_LT(result.last.triple_max, 0.06 * 0.01) << seed;
+    }
+}
+
 // A seam here runs into a side at an angle, and along it.
 TEST(JohnsonMehl, ASeamEndsWhereItReachesASide) {
     const Result result = run({.number = 10, .seed = 11, .h = 0.01});

@@ -8,7 +8,10 @@
 #include "topology/candidates.h"
 #include "topology/fronts/contraction.h"
 #include "topology/fronts/encounter.h"
+#include "topology/fronts/front_point.h"
 #include "topology/fronts/sight.h"
+#include "topology/fronts/squeezed.h"
+#include "topology/junctions/junction_split.h"
 
 #include <algorithm>
 #include <array>
@@ -190,6 +193,11 @@ private:
             work_.swept = before;
             return end;
         }
+        if (sight.is_squeezed) {
+            const std::uint32_t end = join_ends(sight);
+            work_.swept = before;
+            return end;
+        }
         std::uint32_t kept = sight.q == no_id ? no_id : meet_at(sight, sight.q);
         const Corner edge = find_corner(complex_, Vertex{v}, [&](Corner c) {
             return complex_.vertex(next(c)) == ends[0] && complex_.vertex(prev(c)) == ends[1];
@@ -216,6 +224,19 @@ private:
         const std::uint32_t kept = contract<Real>(work_, sight.v, sight.q, at(sight.q));
         if (kept != no_id) {
             work_.ahead[Vertex{kept}] = ahead;
+        }
+        return kept;
+    }
+
+    // Joins the ends of two seams as the front between them vanishes: the fronts on both sides of
+    // it meet there, and a seam between them begins.
+    std::uint32_t join_ends(const Sight<Real>& sight) {
+        const auto end = end_of_squeezed(work_, sight.v, sight.q, sight.film);
+        const std::uint32_t kept =
+            end ? contract<Real>(work_, sight.v, sight.q, end->place) : no_id;
+        if (kept != no_id) {
+            put_ahead(work_, kept, end->shares, end->speed);
+            leave_film(work_, Vertex{kept}, sight.film);
         }
         return kept;
     }

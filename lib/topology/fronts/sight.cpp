@@ -5,6 +5,7 @@
 #include "topology/fronts/encounter.h"
 #include "topology/fronts/front_curve.h"
 #include "topology/fronts/front_point.h"
+#include "topology/fronts/squeezed.h"
 #include "topology/junctions/sectors.h"
 
 #include <algorithm>
@@ -91,6 +92,13 @@ private:
                 return;
             }
         }
+        if (sectors.size() == 3) {
+            const auto end = see_squeezed(work_, sectors, v, k);
+            if (end && (!best || end->gap < best->gap)) {
+                best = end;
+                return;
+            }
+        }
         if (sector.angle < min_sector && !is_pocket(sector)) {
             return;
         }
@@ -166,7 +174,8 @@ private:
         sight.one = beyond(sectors, k, towards);
         sight.other = phase_beyond(complex_, c);
         sight.normal_v = normal_now(work_, v, sector);
-        if (closes(sight, towards, encloses)) {
+        if (!is_behind_squeezed(complex_, sectors, k, sight.other) &&
+            closes(sight, towards, encloses)) {
             best = sight;
         }
     }
@@ -216,7 +225,9 @@ private:
             sight.normal_v = normal_now(work_, v, sectors[k]);
             sight.normal_q = normal_now(work_, q, sector);
             sight.front_q = at(q);
-            if (closes(sight, towards, false)) {
+            if (!is_behind_squeezed(complex_, sectors, k, sight.other) &&
+                !is_behind_squeezed(complex_, there, i, sight.one) &&
+                closes(sight, towards, false)) {
                 best = sight;
             }
             return true;

@@ -30,6 +30,7 @@ struct Sight {
     Real lead_q = 0;             ///< the same at q
     bool is_on_boundary = false; ///< both lie on the domain boundary
     bool is_passed = false;      ///< q is the end of a seam that v belongs to
+    bool is_squeezed = false;    ///< v and q are the ends of a front that vanishes
 };
 
 /// The arrays of one thread.

@@ -35,6 +35,14 @@ public:
         }
     }
 
+    void leave_film(Phase film) {
+        find_sectors(complex_, v_, sectors_);
+        const auto at = std::ranges::find(sectors_.list, film, &Sector<Real>::phase);
+        if (sectors_.size() == 4 && !sectors_.is_on_boundary && at != sectors_.list.end()) {
+            (void)leave(static_cast<std::size_t>(at - sectors_.list.begin()));
+        }
+    }
+
     // Moves the end of a curve from the corner along the domain boundary, beside sector k.
     void pass_corner(Phase lost) {
         if (is_single_in_corner()) {
@@ -223,6 +231,11 @@ void split_junction(TopologyWork<Real>& work, Vertex v) {
 }
 
 template <class Real>
+void leave_film(TopologyWork<Real>& work, Vertex v, Phase film) {
+    JunctionSplit<Real>(work, v).leave_film(film);
+}
+
+template <class Real>
 void pass_corner(TopologyWork<Real>& work, Vertex corner, Phase lost) {
     JunctionSplit<Real> vertex(work, corner);
     vertex.run();
@@ -231,6 +244,7 @@ void pass_corner(TopologyWork<Real>& work, Vertex corner, Phase lost) {
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void split_junction(TopologyWork<Real>&, Vertex);                                     \
+    template void leave_film(TopologyWork<Real>&, Vertex, Phase);                                  \
     template void pass_corner(TopologyWork<Real>&, Vertex, Phase);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

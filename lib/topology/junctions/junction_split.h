@@ -19,6 +19,10 @@ inline constexpr double opened_length = 0.25;
 template <class Real>
 void split_junction(TopologyWork<Real>& work, Vertex v);
 
+/// Removes the sector of a film from a vertex with four: the phases on both sides of it meet.
+template <class Real>
+void leave_film(TopologyWork<Real>& work, Vertex v, Phase film);
+
 /// The same; a curve that remains in the corner moves on along the side of the domain at which
 /// `lost` lies, if that makes it shorter.
 template <class Real>

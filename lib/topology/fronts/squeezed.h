@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A front of a single edge between the ends of two seams. It vanishes by time, when both ends reach
+// one place, and not by length: fast ends would pass each other, or meet the front beyond.
+#pragma once
+
+#include "topology/fronts/sight.h"
+
+#include <array>
+#include <optional>
+
+namespace dsc {
+
+/// Where and when a squeezed front vanishes.
+template <class Real>
+struct Vanishing {
+    Point<Real> place;           ///< which it and the fronts on both sides reach at the same time
+    Real shares;                 ///< of a sub-step from now
+    Real speed;                  ///< the mean way of the three in a sub-step
+    std::array<Phase, 2> beside; ///< the fronts on both sides, which meet there
+};
+
+/// When the front between v and q vanishes, two neighbours on the outline of the film.
+/// Empty if it does not vanish within the coming sub-step. Only reads. O(degrees).
+template <class Real>
+[[nodiscard]] std::optional<Vanishing<Real>>
+end_of_squeezed(const TopologyWork<Real>& work, std::uint32_t v, std::uint32_t q, Phase film);
+
+/// From the end v of a seam, in its sector k of the film: the other end of a front that vanishes
+/// within the coming sub-step. Only reads. O(degrees).
+template <class Real>
+[[nodiscard]] std::optional<Sight<Real>> see_squeezed(const TopologyWork<Real>& work,
+                                                      const Sectors<Real>& sectors, std::uint32_t v,
+                                                      std::size_t k);
+
+/// Whether a front of this phase ends beside the end of a seam, in its sector k: it comes to that
+/// end only as the front between them vanishes. False for other vertices. O(degrees).
+template <class Real>
+[[nodiscard]] bool is_behind_squeezed(const Complex<Real>& complex, const Sectors<Real>& sectors,
+                                      std::size_t k, Phase front);
+
+} // namespace dsc
