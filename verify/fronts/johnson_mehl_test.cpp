@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <utility>
 
 namespace dsc::fronts::johnson_mehl_test {
 namespace {
@@ -59,10 +60,11 @@ TEST(JohnsonMehl, TwoAndThreeDiscsLeaveLessWrongAreaThanTwoSquaredEdges) {
 
 // Discs as small as an edge are round all the same. In the first square and in the last two, a
 // front comes to a side a sub-step before the next one does: its film must neither go too far, nor
-// its end go on before the front is there.
+// its end go on before the front is there. In the fourth, a strip that two fronts leave of a third
+// ends at a side.
 TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
     double sum = 0;
-    for (const std::uint64_t seed : {1U, 2U, 3U, 21U, 25U}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U, 20U, 21U, 25U}) {
         const Result result = run({.number = 40, .seed = seed, .h = 0.02});
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         EXPECT_EQ(result.unreached, 0U) << seed;
@@ -70,7 +72,7 @@ TEST(JohnsonMehl, FortySmallDiscsFillTheSquare) {
         EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         sum += result.last.wrong_area;
     }
-    EXPECT_LT(sum / 5, 2.2e-3);
+    EXPECT_LT(sum / 6, 2.2e-3);
 }
 
 // Seams at rest, to which remeshing does not come any more: beside a junction it has left a flat
@@ -113,6 +115,16 @@ TEST(JohnsonMehl, AFrontThatIsSqueezedOutLeavesTheTripleJunctionInItsPlace) {
         EXPECT_TRUE(result.is_full && result.is_valid) << seed;
         EXPECT_EQ(result.unreached, 0U) << seed;
         EXPECT_LT(result.last.triple_max, 0.06 * 0.01) << seed;
+    }
+}
+
+// In the first square a front is squeezed out before that is seen; in the second, a triangle is in
+// the way of a vertex that joins the end of a seam.
+TEST(JohnsonMehl, NoVertexIsLateBesideTheEndOfASeam) {
+    for (const auto& [seed, h] : {std::pair{47U, 0.01}, {11U, 0.005}}) {
+        const Result result = run({.number = 10, .seed = seed, .h = h});
+        EXPECT_TRUE(result.is_full && result.is_valid) << seed;
+        EXPECT_EQ(result.unreached, 0U) << seed;
     }
 }
 

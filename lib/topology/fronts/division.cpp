@@ -69,7 +69,10 @@ private:
     // Splits each edge whose ends are reached by different fronts; returns whether there was any.
     bool split_edges() {
         bool is_split = false;
-        for (std::size_t i = 0; i < order_.size(); ++i) { // it grows
+        // New triangles wait for the next round: the cuts of a strip between two fronts would come
+        // nearer and nearer to its end without ever reaching it.
+        const std::size_t size = order_.size();
+        for (std::size_t i = 0; i < size; ++i) {
             for (std::uint32_t k = 0; k < 3; ++k) {
                 const Corner c = corner_of(order_[i].id, k);
                 const Corner across = complex_.twin(c);

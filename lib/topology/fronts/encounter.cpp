@@ -15,7 +15,7 @@ namespace {
 constexpr double min_rate_of_approach = 0.2;
 /// A vertex that meets the other front within this of the end of the seam, in edge lengths, would
 /// make an edge of the seam that is too short to be kept.
-constexpr double reach_of_end = 0.1;
+constexpr double reach_of_end = 0.2;
 
 template <class Real>
 class PassedEnd {

@@ -217,11 +217,14 @@ private:
         return kept;
     }
 
-    // Joins a vertex to the end of a seam. The end keeps its place, where the fronts met, and its
-    // time ahead.
+    // Joins a vertex to the end of a seam. The end keeps its time ahead and, unless a triangle is
+    // in the way, its place, where the fronts met.
     std::uint32_t join_end(const Sight<Real>& sight) {
         const TimeAhead<Real> ahead = work_.ahead[Vertex{sight.q}];
-        const std::uint32_t kept = contract<Real>(work_, sight.v, sight.q, at(sight.q));
+        std::uint32_t kept = contract<Real>(work_, sight.v, sight.q, at(sight.q));
+        if (kept == no_id) {
+            kept = contract<Real>(work_, sight.v, sight.q, at(sight.v));
+        }
         if (kept != no_id) {
             work_.ahead[Vertex{kept}] = ahead;
         }

@@ -18,6 +18,9 @@ namespace {
 constexpr double min_determinant = 0.05;
 /// The three fronts meet no farther than this from the middle of the squeezed one, in edge lengths.
 constexpr double max_way_of_ends = 1.5;
+/// A front that has been squeezed out for so many sub-steps still vanishes. Of an older one the
+/// fronts beside it say nothing.
+constexpr double longest_overdue = 2;
 
 // The half-edge between two vertices with the film on its left, if it is a sheet.
 template <class Real>
@@ -87,7 +90,8 @@ std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, s
     }
     const Eigen::Vector3d solution = matrix.inverse() * right;
     const double farthest = max_way_of_ends * static_cast<double>(work.edge_length);
-    if (!(std::abs(solution.z()) < 1) || !(solution.head<2>().norm() < farthest)) {
+    if (!(solution.z() < 1 && solution.z() > -longest_overdue) ||
+        !(solution.head<2>().norm() < farthest)) {
         return {};
     }
     return Vanishing<Real>{.place = middle + solution.head<2>().template cast<Real>(),
