@@ -78,6 +78,7 @@ void PartFile::make_part() {
     }
     const std::string name = place.filename();
     const fs::path prefix = folder_of(place) / (name.size() > longest_prefix ? "dsc" : name);
+    // A string, because gcc 12 sees an overflow that is none in "." + a string.
     const std::string process = std::string(".") + std::to_string(::getpid()) + "-";
     for (int i = 0; i < max_parts && descriptor_ < 0 && (i == 0 || errno == EEXIST); ++i) {
         part_ = prefix.string() + process + std::to_string(i) + ".part";

@@ -138,14 +138,13 @@ void edit_edges(PassState& state, std::vector<WantingEdge>& edges, Edit edit) {
                        ? state.work.rewiring.ownership->owner(ends, colour)
                        : Submeshes::done;
         };
-        state.submeshes->in_colours(edges, colours, &SubmeshWorker::edges, owner,
-                                    [&](SubmeshWorker& worker, Workspace& work) {
-                                        std::erase_if(worker.edges, [&](const WantingEdge& edge) {
-                                            return worker.submesh.free_tets.size() >=
-                                                       Submeshes::min_free_tets &&
-                                                   edit(work, edge) != Verdict::on_submesh_boundary;
-                                        });
-                                    });
+        const auto edit_owned = [&](SubmeshWorker& worker, Workspace& work) {
+            std::erase_if(worker.edges, [&](const WantingEdge& edge) {
+                return worker.submesh.free_tets.size() >= Submeshes::min_free_tets &&
+                       edit(work, edge) != Verdict::on_submesh_boundary;
+            });
+        };
+        state.submeshes->in_colours(edges, colours, &SubmeshWorker::edges, owner, edit_owned);
         state.collect_from_submeshes();
     }
     for (const WantingEdge& edge : edges) {

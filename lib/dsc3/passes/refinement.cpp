@@ -15,7 +15,7 @@ namespace {
 // Longer edges are split, in edge lengths: shorter ones would be collapsed and split in turn.
 constexpr Real refined_length = 0.5;
 // Where a curved edge of a sheet is farther from its middle, in lengths of the edge, the sheet is
-// not resolved: a vertex there could be beyond what it is to let pass.
+// not resolved: a vertex there could lie beyond another sheet, and wait for it to pass.
 constexpr Real largest_bend = 0.03;
 
 // The longest edge of a tet that is on the interface and longer than the root of `square`; its ends
