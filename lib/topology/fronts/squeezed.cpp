@@ -4,7 +4,7 @@
 #include "topology/fronts/front_curve.h"
 #include "topology/fronts/front_point.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +65,8 @@ std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, s
     }
     const Point<Real> middle =
         midpoint<Real>(complex.position(Vertex{v}), complex.position(Vertex{q}));
-    Eigen::Matrix3d matrix;
-    Eigen::Vector3d right;
+    std::array<Eigen::Vector3d, 3> rows;
+    std::array<double, 3> right{};
     Real sum = 0;
     double fastest = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -81,14 +81,18 @@ std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, s
         sum += *speed;
         fastest = std::max(fastest, static_cast<double>(*speed));
         const Point<double> n = front.normal.template cast<double>();
-        const auto row = static_cast<Eigen::Index>(i);
-        matrix.row(row) << n.x(), n.y(), -static_cast<double>(*speed);
-        right(row) = n.dot((front.place - middle).template cast<double>());
+        rows[i] = {n.x(), n.y(), -static_cast<double>(*speed)};
+        right[i] = n.dot((front.place - middle).template cast<double>());
     }
-    if (!(std::abs(matrix.determinant()) > min_determinant * fastest)) {
+    const std::array normals{Eigen::Vector3d(rows[1].cross(rows[2])),
+                             Eigen::Vector3d(rows[2].cross(rows[0])),
+                             Eigen::Vector3d(rows[0].cross(rows[1]))};
+    const double determinant = rows[0].dot(normals[0]);
+    if (!(std::abs(determinant) > min_determinant * fastest)) {
         return {};
     }
-    const Eigen::Vector3d solution = matrix.inverse() * right;
+    const Eigen::Vector3d solution =
+        (right[0] * normals[0] + right[1] * normals[1] + right[2] * normals[2]) / determinant;
     const double farthest = max_way_of_ends * static_cast<double>(work.edge_length);
     if (!(solution.z() < 1 && solution.z() > -longest_overdue) ||
         !(solution.head<2>().norm() < farthest)) {
