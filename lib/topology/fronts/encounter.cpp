@@ -13,8 +13,8 @@ namespace {
 /// Fronts approach each other if they come closer by this share of their ways: their normals differ
 /// by more than 53 degrees then if they are equally fast.
 constexpr double min_rate_of_approach = 0.2;
-/// A vertex that is, or meets the other front, within this of the end of the seam, in edge lengths,
-/// would make an edge that is too short to be kept. Its direction would turn the end aside.
+/// A vertex that meets the other front within this of the end of the seam, in edge lengths, would
+/// make an edge of the seam that is too short to be kept.
 constexpr double reach_of_end = 0.2;
 
 template <class Real>
@@ -59,8 +59,7 @@ private:
             if (may_meet(sight) && see(sight, edge)) {
                 const auto met = encounter_of(sight, at(v_));
                 const Real reach = static_cast<Real>(reach_of_end) * work_.edge_length;
-                if (sight.gap <= reach ||
-                    (met && (met->place - at(q)).dot(middle_of(film)) <= reach)) {
+                if (met && (met->place - at(q)).dot(middle_of(film)) <= reach) {
                     return sight;
                 }
             }

@@ -21,9 +21,9 @@ template <class Real>
 [[nodiscard]] std::optional<Encounter<Real>> encounter_of(const Sight<Real>& sight,
                                                           const Point<Real>& v);
 
-/// The end of a seam beside a vertex of one front, in sector k, if the vertex is at the end, or the
-/// other front reaches it there, or on the seam that the end has left behind: the vertex is a part
-/// of the seam then, and would hold up the end. Only reads. O(degrees).
+/// The end of a seam beside a vertex of one front, in sector k, if the other front reaches the
+/// vertex at the end, or on the seam that the end has left behind: the vertex is a part of the seam
+/// then, and would hold up the end. Only reads. O(degrees).
 template <class Real>
 [[nodiscard]] std::optional<Sight<Real>> see_passed_end(const TopologyWork<Real>& work,
                                                         SightScratch<Real>& scratch,
