@@ -96,6 +96,7 @@ TEST(JohnsonMehl, TenDiscsPutSeamsWithinHalfAnEdgeWithAnyThreads) {
         sum += result.last.wrong_area;
         unreached += result.unreached;
         EXPECT_GT(result.min_angle_last, 10) << seed;
+        EXPECT_GT(result.min_angle_ever, 1) << seed;
         EXPECT_LT(result.last.seam_max, 0.5 * 0.02) << seed;
         EXPECT_LT(result.last.triple_max, 0.5 * 0.02) << seed;
     }

@@ -73,18 +73,17 @@ private:
         return is_blocked(work_, v) || is_before_held_end(v) || has_come_to_end(v);
     }
 
-    // Whether the vertex has all but reached the domain boundary, or its curve's end there.
+    // Whether the vertex has all but reached the domain boundary beside its curve's end there, or
+    // that end. Vertices of the film may lie in between, pressed flat: they stop nothing.
     [[nodiscard]] bool has_come_to_end(std::uint32_t v) const {
         const Real near = static_cast<Real>(end_of_way) * work_.edge_length;
         const Real low = static_cast<Real>(end_of_height) * work_.edge_length;
         return complex_.is_alive(Vertex{v}) && !complex_.is_locked(Vertex{v}) &&
-               find_corner(complex_, Vertex{v}, [&](Corner c) {
-                   return (is_sheet(complex_, prev(c)) &&
-                           direction(complex_, prev(c)).squaredNorm() < near * near &&
-                           is_on_boundary(complex_.vertex(next(c)))) ||
-                          (is_border(complex_.twin(c)) &&
-                           (is_sheet(complex_, next(c)) || is_sheet(complex_, prev(c))) &&
-                           thickness(complex_, Triangle{triangle_of(c)}) < low);
+               !is_on_boundary(v) && find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   const std::uint32_t end = complex_.vertex(next(c));
+                   return is_sheet(complex_, prev(c)) && is_on_boundary(end) &&
+                          ((at(end) - at(v)).squaredNorm() < near * near ||
+                           height_above(v, end, Sides::boundary) < low);
                }) != no_id;
     }
 
@@ -191,17 +190,20 @@ private:
         return found;
     }
 
-    // The height of the vertex above the domain boundary, or above the other curves that leave the
-    // curve's end towards it; or its distance from that end.
-    [[nodiscard]] Real height_of(std::uint32_t v, std::uint32_t end) const {
+    enum class Sides : std::uint8_t { boundary, all };
+
+    // The height of the vertex above the domain boundary, or also above the other curves that leave
+    // the curve's end towards it; or its distance from that end.
+    [[nodiscard]] Real height_above(std::uint32_t v, std::uint32_t end, Sides sides) const {
         const Point<Real> from = at(v) - at(end);
         Real lowest = from.norm();
         for_each_corner(complex_, Vertex{end}, [&](Corner c) {
             for (const Corner side : {next(c), prev(c)}) {
                 const std::uint32_t other = complex_.vertex(side == next(c) ? prev(c) : next(c));
                 const Point<Real> way = at(other) - at(end);
-                if (other != v && (is_border(complex_.twin(side)) || is_sheet(complex_, side)) &&
-                    from.dot(way) > 0) {
+                const bool counts = is_border(complex_.twin(side)) ||
+                                    (sides == Sides::all && is_sheet(complex_, side));
+                if (other != v && counts && from.dot(way) > 0) {
                     lowest = std::min(lowest, std::abs(cross<Real>(way, from)) / way.norm());
                 }
             }
@@ -230,7 +232,7 @@ private:
 
     bool land_beside(std::uint32_t v, std::uint32_t end) {
         Below below = find_below(v, end);
-        const Real height = height_of(v, end);
+        const Real height = height_above(v, end, Sides::all);
         if (!(height < static_cast<Real>(landing_height) * work_.edge_length)) {
             return false;
         }
