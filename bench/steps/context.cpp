@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "context.h"
+#include "steps/context.h"
 
 #include "scenes/output/machine.h"
 

@@ -2,8 +2,8 @@
 // The cost of a velocity for one position: the built-in swirl, and the swirl by formulas of a scene
 // file, written in two ways. Built-in flow and formula alternate within an iteration, so that
 // disturbances affect both; the counter `ratio` is that of their sums.
-#include "refusal.h"
-#include "suites.h"
+#include "steps/refusal.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "flows/velocity.h"

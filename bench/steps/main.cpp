@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // dsc_bench: makes the measurements of a suite. Exit code 0: done; 1: a benchmark was not timed
 // because its answer is wrong; 2: bad usage, or nothing to run.
-#include "context.h"
-#include "refusal.h"
-#include "suites.h"
+#include "steps/context.h"
+#include "steps/refusal.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "scenes/command_line/standard_output.h"

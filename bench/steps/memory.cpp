@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Memory in use (VmRSS) and its maximum (VmHWM) are in /proc/self/status; writing "5" to
 // /proc/self/clear_refs resets the maximum (man 5 proc).
-#include "memory.h"
+#include "steps/memory.h"
 
 #include <malloc.h>
 

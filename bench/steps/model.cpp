@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "model.h"
+#include "steps/model.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/in_place/schedule.h"

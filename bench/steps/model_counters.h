@@ -2,7 +2,7 @@
 // The counters that all modelled rows have.
 #pragma once
 
-#include "model.h"
+#include "steps/model.h"
 
 #include <benchmark/benchmark.h>
 

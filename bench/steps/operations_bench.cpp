@@ -4,8 +4,8 @@
 // restoring the complex is not timed. `kernel/...` are functions of the whole mesh, per triangle.
 // The time is CPU time, because nothing here waits or uses threads, and other programs disturb it
 // less than wall time.
-#include "refusal.h"
-#include "suites.h"
+#include "steps/refusal.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "dsc/base/verdict.h"

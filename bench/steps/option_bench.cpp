@@ -2,9 +2,9 @@
 // The cost of an option in a step: the same scene with and without it, in alternating runs, so that
 // disturbances affect both. The counter `ratio` is that of the sums, over all steps, of the
 // shortest time of the step in any run: noise can only make times longer.
-#include "refusal.h"
-#include "step_run.h"
-#include "suites.h"
+#include "steps/refusal.h"
+#include "steps/step_run.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "replay/mesh_hash.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "refusal.h"
+#include "steps/refusal.h"
 
 namespace dsc::bench {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "rows.h"
+#include "steps/rows.h"
 
-#include "context.h"
-#include "space_rows.h"
+#include "steps/context.h"
+#include "steps/space/rows.h"
 
 #include "dsc/base/error.h"
 #include "dsc/parallel/executors.h"

@@ -2,7 +2,7 @@
 // The rows of a case: one for each of its scenes, sizes, strategies and numbers of threads.
 #pragma once
 
-#include "suite.h"
+#include "steps/suite.h"
 
 #include "scenes/file/case_reader.h"
 

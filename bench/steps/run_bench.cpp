@@ -3,10 +3,10 @@
 // other work of the application between two steps. The counter `us_per_step` is the mean time of
 // all steps, without the work between them; the first run of the process is not timed, so that code
 // and memory are warm in all runs.
-#include "context.h"
-#include "refusal.h"
-#include "step_run.h"
-#include "suites.h"
+#include "steps/context.h"
+#include "steps/refusal.h"
+#include "steps/step_run.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "replay/mesh_hash.h"

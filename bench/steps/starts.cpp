@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "starts.h"
+#include "steps/starts.h"
 
 #include "dsc/base/error.h"
 #include "measures/interface_outlines.h"

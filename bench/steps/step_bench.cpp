@@ -2,12 +2,12 @@
 // A time step (thesis, section 9.7), by every strategy from the same complex. An iteration has
 // `timed_steps` steps; the counter `us_per_step` is the time of one. S(n) is the ratio of the row
 // `strategy:sequential` to the row with `threads:n`, of the same family and size.
-#include "context.h"
-#include "memory.h"
-#include "model_counters.h"
-#include "refusal.h"
-#include "step_run.h"
-#include "suites.h"
+#include "steps/context.h"
+#include "steps/memory.h"
+#include "steps/model_counters.h"
+#include "steps/refusal.h"
+#include "steps/step_run.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "replay/mesh_hash.h"

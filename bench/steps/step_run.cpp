@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "step_run.h"
+#include "steps/step_run.h"
 
-#include "context.h"
+#include "steps/context.h"
 
 #include "dsc/algorithm/executor.h"
 #include "dsc/base/error.h"

@@ -5,10 +5,10 @@
 #include "dsc/algorithm/executor.h"
 #include "dsc/algorithm/simulation.h"
 #include "dsc/passes/algorithm.h"
-#include "model.h"
 #include "reference/algorithm/dsc.h"
 #include "scenes/run/run.h"
-#include "suite.h"
+#include "steps/model.h"
+#include "steps/suite.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "suite.h"
+#include "steps/suite.h"
 
-#include "context.h"
-#include "rows.h"
+#include "steps/context.h"
+#include "steps/rows.h"
 
 #include "dsc/base/error.h"
 #include "dsc/base/names.h"

@@ -45,7 +45,7 @@
 
 #include "scenes/run/run.h"
 #include "scenes/space/scene.h"
-#include "starts.h"
+#include "steps/starts.h"
 
 #include <filesystem>
 #include <memory>

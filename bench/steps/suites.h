@@ -3,7 +3,7 @@
 // Benchmark's flags select among them.
 #pragma once
 
-#include "suite.h"
+#include "steps/suite.h"
 
 namespace dsc::bench {
 

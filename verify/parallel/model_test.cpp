@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The model of more threads than the machine has, with given times: one second for each task.
 #include "steps/model.h"
-#include "steps/space_model.h"
+#include "steps/space/model.h"
 
 #include "dsc/parallel/submesh_view.h"
 #include "dsc/passes/algorithm.h"

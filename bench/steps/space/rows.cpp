@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "space_rows.h"
+#include "steps/space/rows.h"
 
-#include "context.h"
+#include "steps/context.h"
 
 #include "dsc/base/error.h"
 #include "scenes/file/text_file.h"

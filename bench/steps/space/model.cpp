@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "space_model.h"
+#include "steps/space/model.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Whole runs of any scene in three dimensions, and the model of more threads. The counter
 // `us_per_step` is the mean time of all steps, without the measuring between them.
-#include "context.h"
-#include "model_counters.h"
-#include "refusal.h"
-#include "space_model.h"
-#include "suites.h"
+#include "steps/context.h"
+#include "steps/model_counters.h"
+#include "steps/refusal.h"
+#include "steps/space/model.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "scenes/keys.h"

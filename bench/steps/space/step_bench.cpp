@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Whole runs in three dimensions, whose exact results are known.
-#include "refusal.h"
-#include "suites.h"
+#include "steps/refusal.h"
+#include "steps/suites.h"
 
 #include "dsc/base/error.h"
 #include "scenes/space/run.h"

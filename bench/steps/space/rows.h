@@ -2,7 +2,7 @@
 // The rows of a case whose scene is in three dimensions.
 #pragma once
 
-#include "rows.h"
+#include "steps/rows.h"
 
 #include "scenes/space/scene_file.h"
 

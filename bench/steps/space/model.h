@@ -5,7 +5,7 @@
 #pragma once
 
 #include "dsc3/parallel/team.h"
-#include "model.h"
+#include "steps/model.h"
 
 #include <cstdint>
 #include <vector>
