@@ -19,8 +19,10 @@ struct Candidate {
     /// The interface turns sharply or tightly there, has a junction, or is beside the domain
     /// boundary.
     bool is_sharp;
-    bool is_junction; ///< a sharp turn or a junction, other than a turn of two edges inside
-    bool is_blocked;  ///< against another sheet, or the domain boundary
+    /// A sharp turn or a junction, other than a turn of two edges inside; or the end of a curve on
+    /// the domain boundary, which may have come to a corner.
+    bool is_junction;
+    bool is_blocked; ///< against another sheet, or the domain boundary
 };
 
 /// The number of ranges into which a list is divided for the threads.

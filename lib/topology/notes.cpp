@@ -72,7 +72,8 @@ std::uint32_t look_at(Real curvature, const Star<Real>& star, const IncidentEdge
     const bool is_notable =
         is_sharp || (incident.count == 2 &&
                      (turns_tightly(Bend(star, incident), curvature) || ends_on_boundary));
-    const bool is_junction = is_sharp && (incident.count != 2 || !star.closed);
+    const bool is_junction =
+        (is_sharp && (incident.count != 2 || !star.closed)) || ends_on_boundary;
     return (is_notable ? noted_sharp : 0U) | (is_junction ? noted_junction : 0U);
 }
 
