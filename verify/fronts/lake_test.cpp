@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fronts whose ends run along a shore: past corners that turn by a few degrees, either way, and
-// round an island.
+// round an island, behind which a front meets itself.
 #include "dsc/algorithm/simulation.h"
 #include "dsc/complex/ranges.h"
 #include "dsc/initial/initial_complex.h"
@@ -53,15 +53,20 @@ struct Filled {
     bool is_valid = false;
 };
 
-Filled fill(const std::vector<P>& places, double h) {
+std::vector<Shape> discs(const std::vector<P>& places, double radius) {
     std::vector<Shape> shapes;
-    GrowthOptions<double> growing;
     for (const P& place : places) {
-        const auto phase = static_cast<Phase>(shapes.size() + 1);
-        shapes.push_back({circle(place, 1.5 * h, 14), phase});
-        growing.speeds.push_back({phase, 0, 1.0});
+        shapes.push_back({circle(place, radius, 24), static_cast<Phase>(shapes.size() + 1)});
     }
-    auto complex = initial_complex<double>(lake(), shapes, {.edge_length = h});
+    return shapes;
+}
+
+Filled fill(const Polygon& domain, const std::vector<Shape>& shapes, double h) {
+    GrowthOptions<double> growing;
+    for (const Shape& shape : shapes) {
+        growing.speeds.push_back({shape.phase, 0, 1.0});
+    }
+    auto complex = initial_complex<double>(domain, shapes, {.edge_length = h});
     const Options<double> options{.edge_length = h};
     Simulation<double> simulation(
         complex, options,
@@ -71,7 +76,7 @@ Filled fill(const std::vector<P>& places, double h) {
     const InterfaceFlow<double> flow = growth(growing);
     const double dt = h / 2;
     Filled filled;
-    for (int step = 0; step * dt < 0.8 && !filled.is_full; ++step) {
+    for (int step = 0; step * dt < 1.2 && !filled.is_full; ++step) {
         filled.unreached += simulation.step(flow, step * dt, dt).unreached;
         filled.is_full = phase_area(complex, 0) == 0;
     }
@@ -86,7 +91,30 @@ TEST(FrontsInALake, RunRoundTheCornersOfItsShore) {
     const std::vector<P> capes = circle({0.5, 0.5}, 0.2, 7);
     for (const std::vector<P>& places : {{bays[1], bays[3]}, bays, capes}) {
         SCOPED_TRACE(testing::Message() << places.size() << " discs");
-        const Filled filled = fill(places, 0.015);
+        const Filled filled = fill(lake(), discs(places, 0.03), 0.015);
+        EXPECT_TRUE(filled.is_full);
+        EXPECT_TRUE(filled.is_valid);
+        EXPECT_EQ(filled.unreached, 0U);
+    }
+}
+
+// Both ends of the film between the two parts of the front are on the shore, and it is thin over
+// many edges at once: it opens there, although the way from one part to the other along the shore
+// is short.
+TEST(FrontsInALake, MeetThemselvesBehindAnIsland) {
+    struct Island {
+        int corners;
+        double turn; // in radians
+    };
+    for (const auto& [corners, turn] : {Island{12, 0}, {24, 0.26}, {4, 0.65}}) {
+        SCOPED_TRACE(testing::Message() << "an island of " << corners << " corners");
+        std::vector<P> island;
+        for (int k = 0; k < corners; ++k) {
+            const double angle = turn + two_pi * k / corners;
+            island.push_back(P(0.55, 0.5) + P(0.15 * std::cos(angle), -0.12 * std::sin(angle)));
+        }
+        const Polygon square{{P(0, 0), P(1, 0), P(1, 1), P(0, 1)}, {island}};
+        const Filled filled = fill(square, discs({P(0.2, 0.47)}, 0.08), 0.02);
         EXPECT_TRUE(filled.is_full);
         EXPECT_TRUE(filled.is_valid);
         EXPECT_EQ(filled.unreached, 0U);

@@ -202,7 +202,10 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
         const Way<Real> way = way_along(work, one, other, longest);
         const double lengths = way.arrives ? static_cast<double>(way.length / unit)
                                            : std::numeric_limits<double>::infinity();
-        (lengths < filament_end ? connection.is_near : connection.is_far) = true;
+        // Two sheets that end on the domain boundary side by side are the two sides of a film, and
+        // no end of a filament.
+        (lengths < filament_end && !way.on_boundary ? connection.is_near : connection.is_far) =
+            true;
         connection.is_beside_end = connection.is_beside_end || way.arrives;
         // A sheet that ends on the domain boundary is no end of a seam, even if a film has opened
         // there.
