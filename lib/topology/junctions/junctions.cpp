@@ -44,17 +44,16 @@ std::vector<Vertex> in_order(const Complex<Real>& complex, std::span<const Verte
 
 // The vertices that are alive and those around them, in order.
 template <class Real>
-std::vector<Vertex> with_links(const Complex<Real>& complex, std::vector<Vertex> vertices) {
-    const std::size_t size = vertices.size();
+std::vector<Vertex> with_links(const Complex<Real>& complex, std::span<const Vertex> vertices) {
+    std::vector<Vertex> all = in_order<Real>(complex, vertices); // each once, however often touched
+    const std::size_t size = all.size();
     for (std::size_t i = 0; i < size; ++i) {
-        if (complex.is_alive(vertices[i])) {
-            for_each_corner(complex, vertices[i], [&](Corner c) {
-                vertices.push_back(Vertex{complex.vertex(next(c))});
-                vertices.push_back(Vertex{complex.vertex(prev(c))});
-            });
-        }
+        for_each_corner(complex, all[i], [&](Corner c) {
+            all.push_back(Vertex{complex.vertex(next(c))});
+            all.push_back(Vertex{complex.vertex(prev(c))});
+        });
     }
-    return in_order<Real>(complex, vertices);
+    return in_order<Real>(complex, all);
 }
 
 template <class Real>
