@@ -21,6 +21,7 @@ TEST(FluidCylinder, DragAndLiftAreThoseOfTheBenchmark) {
         apply_setting(parameters, file.scene.keys, setting);
     }
     const RunResult result = run_scene(file.scene, parameters, {});
+    EXPECT_TRUE(result.holds());
     // With a radius of 0.05, a density of 1 and a mean velocity of 0.2.
     EXPECT_NEAR(500 * number(result.fluid, "force_x_cylinder_last") / exact_drag, 1, 2e-3);
     EXPECT_NEAR(500 * number(result.fluid, "force_y_cylinder_last") / exact_lift, 1, 5e-2);
