@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 
 namespace dsc::side_test {
@@ -34,6 +35,25 @@ TYPED_TEST(Sides, AnObliqueSideIsStraightUpToRounding) {
         rounded += orientation<Real>(from, at, to) != 0 ? 1 : 0;
     }
     EXPECT_GT(rounded, 50) << "the test has lost its point";
+}
+
+// The end of a curve that has slid along a side may come so near to a corner that the direction of
+// the edge between them is rounding: it is no corner of its own.
+TYPED_TEST(Sides, AnEdgeAsShortAsRoundingMakesNoCorner) {
+    using Real = TypeParam;
+    const Point<Real> corner(Real(0.6), Real(0.9));
+    const Point<Real> far(Real(0.62), Real(0.88));
+    const Real unit = std::numeric_limits<Real>::epsilon() * Real(0.5);
+    int turns = 0;
+    for (const Real x : {-2 * unit, unit, 2 * unit}) {
+        for (const Real y : {-2 * unit, unit, 2 * unit}) {
+            const Point<Real> end = corner + Point<Real>(x, y);
+            EXPECT_EQ(side_at<Real>(corner, end, far, false), Side::straight);
+            EXPECT_TRUE(may_leave_side<Real>(corner, end, far));
+            turns += turns_less<Real>(corner, end, far, Real(0.7)) ? 0 : 1;
+        }
+    }
+    EXPECT_GT(turns, 2) << "the test has lost its point";
 }
 
 TYPED_TEST(Sides, AMarkedTurnIsAFeatureFromTwelveDegreesOnAnotherFromFortyFive) {

@@ -66,7 +66,10 @@ bool is_straight(const Point<Real>& from, const Point<Real>& at, const Point<Rea
 template <class Real>
 [[nodiscard]] Side side_at(const Point<Real>& from, const Point<Real>& at, const Point<Real>& to,
                            bool is_marked) {
-    if (orientation<Real>(from, at, to) == 0) {
+    // First, since the direction of an edge that is as short as rounding says nothing: a feature
+    // with such an edge is marked.
+    if (orientation<Real>(from, at, to) == 0 ||
+        (!is_marked && detail::is_straight<Real>(from, at, to))) {
         return Side::straight;
     }
     constexpr double cosine_of_turn = 0.97814760073380564;       // of `side_turn_degrees`

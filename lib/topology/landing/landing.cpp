@@ -78,14 +78,15 @@ private:
     [[nodiscard]] bool has_come_to_end(std::uint32_t v) const {
         const Real near = static_cast<Real>(end_of_way) * work_.edge_length;
         const Real low = static_cast<Real>(end_of_height) * work_.edge_length;
-        return complex_.is_alive(Vertex{v}) && !complex_.is_locked(Vertex{v}) &&
-               !is_on_boundary(v) && find_corner(complex_, Vertex{v}, [&](Corner c) {
-                                         const std::uint32_t end = complex_.vertex(next(c));
-                                         return is_sheet(complex_, prev(c)) &&
-                                                is_on_boundary(end) &&
-                                                ((at(end) - at(v)).squaredNorm() < near * near ||
-                                                 height_above(v, end, Sides::boundary) < low);
-                                     }) != no_id;
+        if (!complex_.is_alive(Vertex{v}) || complex_.is_locked(Vertex{v}) || is_on_boundary(v)) {
+            return false;
+        }
+        return find_corner(complex_, Vertex{v}, [&](Corner c) {
+                   const std::uint32_t end = complex_.vertex(next(c));
+                   return is_sheet(complex_, prev(c)) && is_on_boundary(end) &&
+                          ((at(end) - at(v)).squaredNorm() < near * near ||
+                           height_above(v, end, Sides::boundary) < low);
+               }) != no_id;
     }
 
     // If the end of a curve is blocked, the next vertices of its own curves are in its way.
