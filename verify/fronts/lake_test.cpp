@@ -100,21 +100,29 @@ TEST(FrontsInALake, RunRoundTheCornersOfItsShore) {
 
 // Both ends of the film between the two parts of the front are on the shore, and it is thin over
 // many edges at once: it opens there, although the way from one part to the other along the shore
-// is short.
+// is short. Both parts then close like a zip, from a notch between them whose sides come to lie on
+// each other.
 TEST(FrontsInALake, MeetThemselvesBehindAnIsland) {
     struct Island {
         int corners;
         double turn; // in radians
+        double h = 0.02;
     };
-    for (const auto& [corners, turn] : {Island{12, 0}, {24, 0.26}, {4, 0.65}}) {
-        SCOPED_TRACE(testing::Message() << "an island of " << corners << " corners");
+    for (const auto& [corners, turn, h] : {Island{12, 0},
+                                           {16, 0.13},
+                                           {16, 0.13, 0.01},
+                                           {24, 0.26},
+                                           {5, 0.39},
+                                           {7, 0.52},
+                                           {4, 0.65}}) {
+        SCOPED_TRACE(testing::Message() << "an island of " << corners << " corners, h = " << h);
         std::vector<P> island;
         for (int k = 0; k < corners; ++k) {
             const double angle = turn + two_pi * k / corners;
             island.push_back(P(0.55, 0.5) + P(0.15 * std::cos(angle), -0.12 * std::sin(angle)));
         }
         const Polygon square{{P(0, 0), P(1, 0), P(1, 1), P(0, 1)}, {island}};
-        const Filled filled = fill(square, discs({P(0.2, 0.47)}, 0.08), 0.02);
+        const Filled filled = fill(square, discs({P(0.2, 0.47)}, 0.08), h);
         EXPECT_TRUE(filled.is_full);
         EXPECT_TRUE(filled.is_valid);
         EXPECT_EQ(filled.unreached, 0U);

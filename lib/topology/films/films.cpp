@@ -17,6 +17,9 @@ constexpr double tip_share = 0.7;
 /// A piece whose mean thickness is less than this many contact distances is the rest of a film that
 /// has opened beside it.
 constexpr double rest_of_film = 1.25;
+/// The sheets of a notch lie on each other if they are not farther apart than this fraction of
+/// their length.
+constexpr double closed_notch = 0.05;
 
 template <class Real>
 class Films {
@@ -75,9 +78,9 @@ private:
     }
 
     // Whether the film is thin at the opposite sheet, too. Ahead of a seam the sheets part, and an
-    // edge that is longer than the film is thick leads far into it.
+    // edge that is longer than the film is thick leads far into it, unless both lie on each other.
     bool is_thin_at_both(const Chord<Real>& chord) const {
-        return is_wide(contact_at(work_, chord.sheet), work_.edge_length) ||
+        return is_wide(contact_at(work_, chord.sheet), work_.edge_length) || has_closed(chord) ||
                find_chord(work_, chord.ray.opposite).ray.opposite != no_id;
     }
 
@@ -89,9 +92,15 @@ private:
                    : !has_end_on_seam(chord.sheet) && !has_end_on_seam(opposite);
     }
 
+    bool has_closed(const Chord<Real>& chord) const {
+        return chord.ray.thickness <
+               static_cast<Real>(closed_notch) * direction(complex_, chord.sheet).norm();
+    }
+
     // Whether the chord crosses a notch that closes: its two sheets share a vertex, and their other
-    // ends block each other. Two sheets with edges between them may be blocked by something else,
-    // as the overhanging foot of a drop is by the domain boundary.
+    // ends block each other, or both lie on each other and block any of their vertices. Two sheets
+    // with edges between them may be blocked by something else, as the overhanging foot of a drop
+    // is by the domain boundary.
     bool is_closing_notch(const Chord<Real>& chord) const {
         const auto blocks = [&](Corner end) {
             return (complex_.vertices[complex_.vertex(end)].flags & vertex_contact) != 0;
@@ -100,7 +109,9 @@ private:
         const Corner other = chord.ray.opposite;
         const auto closes = [&](Corner first, Corner second) {
             return complex_.vertex(prev(first)) == complex_.vertex(next(second)) &&
-                   blocks(next(first)) && blocks(prev(second));
+                   (has_closed(chord)
+                        ? blocks(prev(first)) || blocks(next(first)) || blocks(prev(second))
+                        : blocks(next(first)) && blocks(prev(second)));
         };
         return closes(one, other) || closes(other, one);
     }
