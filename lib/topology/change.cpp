@@ -42,7 +42,7 @@ AreaAccount change_topology(TopologyWork<Real> work, std::span<const Candidate> 
     }
     change_junctions(work, candidates);
     remove_remnants(work, candidates);
-    split_touched(work, first_mended);
+    split_touched(work, candidates, first_mended);
     return give_back(work);
 }
 

@@ -146,5 +146,12 @@ TEST(JohnsonMehl, AFrontThatComesToASideAtAFlatAngleLeavesItFine) {
     EXPECT_GT(result.min_angle_last, 10);
 }
 
+// The end of a front runs faster than anything else, also in the last sub-step of a step.
+TEST(JohnsonMehl, EndsThatMovementLeavesFlatAreMended) {
+    const Result result = run({.number = 10, .seed = 13, .h = 0.01});
+    EXPECT_TRUE(result.is_full && result.is_valid);
+    EXPECT_GT(result.min_angle_ever, 2);
+}
+
 } // namespace
 } // namespace dsc::fronts::johnson_mehl_test

@@ -285,9 +285,21 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
     Junctions<Real>(work).run(candidates);
 }
 
+// Whether a triangle at the vertex is flatter than those that remeshing leaves.
+template <class Real>
+bool is_flat_at(const Complex<Real>& complex, Vertex v) {
+    return find_corner(complex, v, [&](Corner c) {
+               const auto at = [&](Corner k) {
+                   return complex.position(Vertex{complex.vertex(k)});
+               };
+               return height_over_longest<Real>(at(c), at(next(c)), at(prev(c))) < Real(0.02);
+           }) != no_id;
+}
+
 // A split changes other vertices, which may then have to be split as well.
 template <class Real>
-void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
+void split_touched(TopologyWork<Real>& work, std::span<const Candidate> candidates,
+                   std::size_t first_mended) {
     std::vector<Vertex> mended(work.touched.begin() + static_cast<std::ptrdiff_t>(first_mended),
                                work.touched.end());
     for (int round = 0; round < max_rounds && !work.touched.empty(); ++round) {
@@ -305,11 +317,17 @@ void split_touched(TopologyWork<Real>& work, std::size_t first_mended) {
         std::erase_if(mended, [&](Vertex v) { return !mend_star(work, v); });
         mended = with_links<Real>(work.complex, mended);
     }
+    for (const Candidate& candidate : candidates) {
+        const Vertex v{candidate.vertex};
+        if (candidate.is_junction && work.complex.is_alive(v) && is_flat_at(work.complex, v)) {
+            mend_star(work, v);
+        }
+    }
 }
 
 template void change_junctions(TopologyWork<double>&, std::span<const Candidate>);
 template void change_junctions(TopologyWork<float>&, std::span<const Candidate>);
-template void split_touched(TopologyWork<double>&, std::size_t);
-template void split_touched(TopologyWork<float>&, std::size_t);
+template void split_touched(TopologyWork<double>&, std::span<const Candidate>, std::size_t);
+template void split_touched(TopologyWork<float>&, std::span<const Candidate>, std::size_t);
 
 } // namespace dsc

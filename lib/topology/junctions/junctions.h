@@ -27,8 +27,10 @@ void change_junctions(TopologyWork<Real>& work, std::span<const Candidate> candi
 /// Splits vertices of relabelled triangles that have more sectors than are stable: films that
 /// opened and pieces that vanished may leave such vertices. What the changes have left slender
 /// around the touched vertices from `first_mended` on, and around those of splits, is then mended,
-/// because the step may end here. O(their degrees squared).
+/// because the step may end here; and so is what movement has left slender at junctions and ends of
+/// curves, which may run faster than anything else. O(their degrees squared).
 template <class Real>
-void split_touched(TopologyWork<Real>& work, std::size_t first_mended);
+void split_touched(TopologyWork<Real>& work, std::span<const Candidate> candidates,
+                   std::size_t first_mended);
 
 } // namespace dsc
