@@ -39,9 +39,6 @@ struct Missed {
     NotedPlace<Real> before; ///< where it came from
 };
 
-template <class Real>
-struct SightScratch; // fronts/sight.h
-
 /// The state that changes of topology work on.
 template <class Real>
 struct TopologyWork {
@@ -65,7 +62,6 @@ struct TopologyWork {
     std::span<const Missed<Real>> missed = {}; ///< in the movement of this sub-step, ascending
     /// How far the vertices are ahead of the time.
     VertexAttribute<TimeAhead<Real>>& ahead = times_ahead_of(complex);
-    std::span<SightScratch<Real>> sights = {}; ///< one for each range of places
     double swept = 0; ///< area, by merged junctions; the next event reports it
     /// The candidates that were blocked before the change, ascending.
     std::vector<std::uint32_t> blocked = {};

@@ -94,7 +94,6 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
         }
     };
     find_at(between.in_shares, between.interface, candidates_, look);
-    sights_.resize(ranges_of_places);
     if (!is_again) {
         missed_.clear();
         for (const MovingVertex<Real>& one : between.missed) {
@@ -112,8 +111,7 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
                                     .round = round,
                                     .is_again = is_again,
                                     .in_shares = between.in_shares,
-                                    .missed = missed_,
-                                    .sights = sights_},
+                                    .missed = missed_},
                                    candidates_);
 }
 

@@ -7,7 +7,6 @@
 #include "dsc/passes/algorithm.h"
 #include "topology/candidates.h"
 #include "topology/events.h"
-#include "topology/fronts/sight.h"
 #include "topology/notes.h"
 #include "topology/options.h"
 #include "topology/region.h"
@@ -62,8 +61,7 @@ private:
     Real curvature_ = 0;                ///< from which on a star is noted; 0: no topology changes
     std::uint32_t round_ = 2;           ///< of the next notes; 0: a vertex without a note
     std::vector<Candidate> candidates_; ///< scratch of run
-    std::vector<SightScratch<Real>> sights_; ///< scratch of run
-    std::vector<Missed<Real>> missed_;       ///< of this sub-step
+    std::vector<Missed<Real>> missed_;  ///< of this sub-step
     std::vector<Event> events_;
     std::size_t told_ = 0; ///< of these
     AreaAccount area_;

@@ -20,12 +20,12 @@ constexpr double reach_of_end = 0.2;
 template <class Real>
 class PassedEnd {
 public:
-    PassedEnd(const TopologyWork<Real>& work, SightScratch<Real>& scratch, std::uint32_t v,
+    PassedEnd(const TopologyWork<Real>& work, const Sectors<Real>& sectors, std::uint32_t v,
               std::size_t k)
-        : work_(work), complex_(work.complex), there_(scratch.there), v_(v),
-          sector_(scratch.here[k]), own_(scratch.here.after(k).phase) {}
+        : work_(work), complex_(work.complex), v_(v), sector_(sectors[k]),
+          own_(sectors.after(k).phase) {}
 
-    [[nodiscard]] std::optional<Sight<Real>> nearer() {
+    [[nodiscard]] std::optional<Sight<Real>> nearer() const {
         const auto first = at_end(true);
         const auto last = at_end(false);
         return first && (!last || first->gap <= last->gap) ? first : last;
@@ -35,17 +35,18 @@ private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
     // Beyond the first or the last edge of the sector.
-    [[nodiscard]] std::optional<Sight<Real>> at_end(bool is_first) {
+    [[nodiscard]] std::optional<Sight<Real>> at_end(bool is_first) const {
         const std::uint32_t q = is_first ? complex_.vertex(next(sector_.first))
                                          : complex_.vertex(prev(last_of(complex_, sector_)));
         if (!is_junction(complex_, Vertex{q}) || complex_.is_locked(Vertex{q})) {
             return {};
         }
-        find_sectors(complex_, Vertex{q}, there_);
-        if (there_.is_on_boundary) {
+        Sectors<Real> there;
+        find_sectors(complex_, Vertex{q}, there);
+        if (there.is_on_boundary) {
             return {};
         }
-        for (const Sector<Real>& film : there_.list) {
+        for (const Sector<Real>& film : there.list) {
             const Corner last = last_of(complex_, film);
             if (film.phase != sector_.phase ||
                 complex_.vertex(is_first ? prev(last) : next(film.first)) != v_) {
@@ -95,7 +96,6 @@ private:
 
     const TopologyWork<Real>& work_;
     const Complex<Real>& complex_;
-    Sectors<Real>& there_;
     std::uint32_t v_;
     const Sector<Real>& sector_;
     Phase own_;
@@ -119,15 +119,15 @@ std::optional<Encounter<Real>> encounter_of(const Sight<Real>& sight, const Poin
 
 template <class Real>
 std::optional<Sight<Real>> see_passed_end(const TopologyWork<Real>& work,
-                                          SightScratch<Real>& scratch, std::uint32_t v,
+                                          const Sectors<Real>& sectors, std::uint32_t v,
                                           std::size_t k) {
-    return PassedEnd<Real>(work, scratch, v, k).nearer();
+    return PassedEnd<Real>(work, sectors, v, k).nearer();
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template std::optional<Encounter<Real>> encounter_of(const Sight<Real>&, const Point<Real>&);  \
     template std::optional<Sight<Real>> see_passed_end(                                            \
-        const TopologyWork<Real>&, SightScratch<Real>&, std::uint32_t, std::size_t);
+        const TopologyWork<Real>&, const Sectors<Real>&, std::uint32_t, std::size_t);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)
 #undef DSC_INSTANTIATE

@@ -26,7 +26,7 @@ template <class Real>
 /// then, and would hold up the end. Only reads. O(degrees).
 template <class Real>
 [[nodiscard]] std::optional<Sight<Real>> see_passed_end(const TopologyWork<Real>& work,
-                                                        SightScratch<Real>& scratch,
+                                                        const Sectors<Real>& sectors,
                                                         std::uint32_t v, std::size_t k);
 
 } // namespace dsc

@@ -30,23 +30,18 @@ template <class Real>
 class Meeting {
 public:
     explicit Meeting(TopologyWork<Real>& work)
-        : work_(work), complex_(work.complex), submesh_(work.complex) {
-        if (work.sights.empty()) {
-            own_.resize(ranges_of_places);
-            work.sights = own_;
-        }
-    }
+        : work_(work), complex_(work.complex), submesh_(work.complex) {}
 
     void run() {
-        for (const std::uint32_t v : vertices_that_see()) {
-            std::vector<std::uint32_t> ahead{v};
+        for (const auto& first : vertices_that_see()) {
+            std::vector<std::uint32_t> ahead{std::get<3>(first)};
             begun_ = work_.events.size();
             // Each that joins takes a vertex away or makes one of an edge, which joins once.
             for (std::size_t left = 8 * work_.interface.size(); !ahead.empty() && left > 0;
                  --left) {
                 const std::uint32_t next = ahead.back();
                 ahead.pop_back();
-                if (const auto sight = see_front(work_, work_.sights[0], next);
+                if (const auto sight = see_front(work_, next);
                     sight && (work_.options.follows_seams || !is_beside_seam(next, *sight))) {
                     const std::uint32_t kept = join(*sight);
                     if (kept != no_id && work_.options.follows_seams) {
@@ -57,42 +52,21 @@ public:
         }
     }
 
-    Meeting(const Meeting&) = delete;
-    Meeting& operator=(const Meeting&) = delete;
-    Meeting(Meeting&&) = delete;
-    Meeting& operator=(Meeting&&) = delete;
-    ~Meeting() {
-        if (!own_.empty()) {
-            work_.sights = {};
-        }
-    }
-
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
 
-    // Vertices with the smallest gap come first.
-    std::vector<std::uint32_t> vertices_that_see() const {
+    // Those with the smallest gap come first: the gap, the place and the vertex.
+    auto vertices_that_see() const {
         using Found = std::tuple<Real, Real, Real, std::uint32_t>;
-        std::array<std::vector<Found>, ranges_of_places> parts;
-        look_in_ranges(work_.in_shares, work_.interface.size(),
-                       [&](std::size_t range, std::size_t begin, std::size_t end) {
-                           for (const std::uint32_t v :
-                                work_.interface.subspan(begin, end - begin)) {
-                               if (const auto sight = see_front(work_, work_.sights[range], v)) {
-                                   parts[range].emplace_back(sight->gap, at(v).x(), at(v).y(), v);
-                               }
-                           }
-                       });
         std::vector<Found> found;
-        for (const auto& part : parts) {
-            found.insert(found.end(), part.begin(), part.end());
-        }
+        const auto look = [this](std::uint32_t v, std::vector<Found>& part) {
+            if (const auto sight = see_front(work_, v)) {
+                part.emplace_back(sight->gap, at(v).x(), at(v).y(), v);
+            }
+        };
+        find_at(work_.in_shares, work_.interface, found, look);
         std::ranges::sort(found);
-        std::vector<std::uint32_t> list;
-        for (const Found& one : found) {
-            list.push_back(std::get<3>(one));
-        }
-        return list;
+        return found;
     }
 
     // The neighbours of a vertex of a seam, in the order of their places.
@@ -340,8 +314,7 @@ private:
     TopologyWork<Real>& work_;
     Complex<Real>& complex_;
     Submesh<Real> submesh_;
-    std::vector<SightScratch<Real>> own_; ///< if the caller gives none
-    std::size_t begun_ = 0;               ///< the first event of the place from which fronts close
+    std::size_t begun_ = 0; ///< the first event of the place from which fronts close
 };
 
 } // namespace

@@ -30,40 +30,31 @@ constexpr double min_closing = 0.05;
 template <class Real>
 class Looking {
 public:
-    Looking(const TopologyWork<Real>& work, SightScratch<Real>& scratch)
-        : work_(work), complex_(work.complex), scratch_(scratch) {}
+    Looking(const TopologyWork<Real>& work, std::uint32_t v)
+        : work_(work), complex_(work.complex), v_(v) {}
 
-    [[nodiscard]] std::optional<Sight<Real>> from(std::uint32_t v) const {
-        if (!complex_.is_alive(Vertex{v}) || complex_.vertices[v].corner == no_id || !may_see(v) ||
-            is_locked(v)) {
+    [[nodiscard]] std::optional<Sight<Real>> nearest() {
+        if (!complex_.is_alive(Vertex{v_}) || !may_see() || complex_.is_locked(Vertex{v_})) {
             return {};
         }
-        Sectors<Real>& sectors = scratch_.here;
-        find_sectors(complex_, Vertex{v}, sectors);
-        std::optional<Sight<Real>> best;
-        if (sectors.is_on_boundary) {
-            look_along_boundary(v, sectors, best);
-            return best;
+        find_sectors(complex_, Vertex{v_}, sectors_);
+        if (sectors_.is_on_boundary) {
+            look_along_boundary();
+            return best_;
         }
-        if (sectors.size() < 2) {
-            return {};
+        for (std::size_t k = 0; k < sectors_.size(); ++k) {
+            look_into(k);
         }
-        for (std::size_t k = 0; k < sectors.size(); ++k) {
-            look_into(v, sectors, k, best);
-        }
-        return best;
+        return best_;
     }
 
 private:
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
-    [[nodiscard]] bool is_locked(std::uint32_t v) const {
-        return (complex_.vertices[v].flags & vertex_locked) != 0;
-    }
 
     // Whether the star of an interface vertex reaches another front at all: nearly none does.
-    [[nodiscard]] bool may_see(std::uint32_t v) const {
+    [[nodiscard]] bool may_see() const {
         const Real max_gap = static_cast<Real>(max_gap_of_fronts) * work_.edge_length;
-        return find_corner(complex_, Vertex{v}, [&](Corner c) {
+        return find_corner(complex_, Vertex{v_}, [&](Corner c) {
                    if (!meet_in_points(complex_.phase_at(c))) {
                        return false;
                    }
@@ -75,29 +66,26 @@ private:
                    return !is_outline(complex_, prev(c)) &&
                           (noted == work_.round || (noted == 0 && may_be_new(work_, Vertex{w}) &&
                                                     is_interface(complex_, Vertex{w}))) &&
-                          (at(w) - at(v)).norm() < Real(1.5) * max_gap;
+                          (at(w) - at(v_)).norm() < Real(1.5) * max_gap;
                }) != no_id;
     }
 
-    void look_into(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
-                   std::optional<Sight<Real>>& best) const {
-        const Sector<Real>& sector = sectors[k];
+    [[nodiscard]] bool is_nearest(Real gap) const { return !best_ || gap < best_->gap; }
+
+    void look_into(std::size_t k) {
+        const Sector<Real>& sector = sectors_[k];
         if (!meet_in_points(sector.phase)) {
             return;
         }
-        if (sectors.size() == 2) {
-            const auto end = see_passed_end(work_, scratch_, v, k);
-            if (end && (!best || end->gap < best->gap)) {
-                best = end;
-                return;
-            }
+        std::optional<Sight<Real>> end; // of a seam
+        if (sectors_.size() == 2) {
+            end = see_passed_end(work_, sectors_, v_, k);
+        } else if (sectors_.size() == 3) {
+            end = see_squeezed(work_, sectors_, v_, k);
         }
-        if (sectors.size() == 3) {
-            const auto end = see_squeezed(work_, sectors, v, k);
-            if (end && (!best || end->gap < best->gap)) {
-                best = end;
-                return;
-            }
+        if (end && is_nearest(end->gap)) {
+            best_ = end;
+            return;
         }
         if (sector.angle < min_sector && !is_pocket(sector)) {
             return;
@@ -105,10 +93,10 @@ private:
         Corner c = sector.first;
         for (std::size_t i = 0; i < sector.count; ++i, c = corner_ccw(complex_, c)) {
             if (is_sheet(complex_, c)) {
-                look_at_edge(v, sectors, k, c, best);
+                look_at_edge(k, c);
             }
             if (i + 1 < sector.count) {
-                look_at_vertex(v, sectors, k, complex_.vertex(prev(c)), Real(-1), best);
+                look_at_vertex(k, complex_.vertex(prev(c)), Real(-1));
             }
         }
     }
@@ -136,22 +124,21 @@ private:
                    : sectors.after(k).phase;
     }
 
-    void look_at_edge(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k, Corner c,
-                      std::optional<Sight<Real>>& best) const {
-        const Sector<Real>& sector = sectors[k];
+    void look_at_edge(std::size_t k, Corner c) {
+        const Sector<Real>& sector = sectors_[k];
         const std::uint32_t a = complex_.vertex(next(c));
         const std::uint32_t b = complex_.vertex(prev(c));
         const Point<Real> way = at(b) - at(a);
         const Real length = way.norm();
-        const Real share = (at(v) - at(a)).dot(way) / (length * length);
+        const Real share = (at(v_) - at(a)).dot(way) / (length * length);
         if (!(share > 0 && share < 1)) {
             return; // an end is nearer
         }
-        const Point<Real> across = at(a) + share * way - at(v);
+        const Point<Real> across = at(a) + share * way - at(v_);
         const Real gap = across.norm();
         const bool encloses = is_sheet(complex_, next(c)) && is_sheet(complex_, prev(c));
         const Point<Real> towards = across / gap;
-        if (best && !(gap < best->gap)) {
+        if (!is_nearest(gap)) {
             return;
         }
         // A pocket closes at the vertex that lies on one of its fronts alone.
@@ -163,20 +150,20 @@ private:
         const bool is_first = share < Real(0.5);
         const std::uint32_t end = is_first ? a : b;
         if ((is_first ? share : 1 - share) * length < near && is_inside(sector, end) &&
-            look_at_vertex(v, sectors, k, end, gap, best)) {
-            if (best && best->v == v && best->q == end) { // where the vertex cannot be the foot
-                best->edge = c;
-                best->share = share;
+            look_at_vertex(k, end, gap)) {
+            if (best_ && best_->q == end) { // where the vertex cannot be the foot
+                best_->edge = c;
+                best_->share = share;
             }
             return;
         }
-        Sight<Real> sight{.v = v, .edge = c, .share = share, .gap = gap, .film = sector.phase};
-        sight.one = beyond(sectors, k, towards);
+        Sight<Real> sight{.v = v_, .edge = c, .share = share, .gap = gap, .film = sector.phase};
+        sight.one = beyond(sectors_, k, towards);
         sight.other = phase_beyond(complex_, c);
-        sight.normal_v = normal_now(work_, v, sector);
-        if (!is_behind_squeezed(complex_, sectors, k, sight.other) &&
+        sight.normal_v = normal_now(work_, v_, sector);
+        if (!is_behind_squeezed(complex_, sectors_, k, sight.other) &&
             closes(sight, towards, encloses)) {
-            best = sight;
+            best_ = sight;
         }
     }
 
@@ -192,43 +179,41 @@ private:
     }
 
     // `gap`: to a foot near the vertex; negative: to the vertex. False if the vertex is no front.
-    bool look_at_vertex(std::uint32_t v, const Sectors<Real>& sectors, std::size_t k,
-                        std::uint32_t q, Real gap, std::optional<Sight<Real>>& best) const {
-        const Point<Real> way = at(q) - at(v);
+    bool look_at_vertex(std::size_t k, std::uint32_t q, Real gap) {
+        const Point<Real> way = at(q) - at(v_);
         const Real length = way.norm();
         const Real max_gap = static_cast<Real>(max_gap_of_fronts) * work_.edge_length;
         const bool is_at_foot = gap >= 0;
         gap = is_at_foot ? gap : length;
         const Point<Real> towards = way / length;
-        if (!(length < Real(1.5) * max_gap) || (best && !(gap < best->gap)) || is_locked(q) ||
-            (!is_at_foot && !faces(sectors[k], towards))) {
+        if (!(length < Real(1.5) * max_gap) || !is_nearest(gap) || complex_.is_locked(Vertex{q}) ||
+            (!is_at_foot && !faces(sectors_[k], towards))) {
             return true;
         }
-        Sectors<Real>& there = scratch_.there;
-        find_sectors(complex_, Vertex{q}, there);
-        if (there.size() < 2 || there.is_on_boundary) {
+        find_sectors(complex_, Vertex{q}, there_);
+        if (there_.is_on_boundary) {
             return true;
         }
-        for (std::size_t i = 0; i < there.size(); ++i) {
-            const Sector<Real>& sector = there[i];
+        for (std::size_t i = 0; i < there_.size(); ++i) {
+            const Sector<Real>& sector = there_[i];
             const Point<Real> back = -towards;
-            if (sector.phase != sectors[k].phase ||
+            if (sector.phase != sectors_[k].phase ||
                 angle_between(sector.ray, back) >= sector.angle) {
                 continue;
             }
             if (sector.angle < min_sector || (!is_at_foot && !faces(sector, back))) {
                 return false;
             }
-            Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = sector.phase};
-            sight.one = beyond(sectors, k, towards);
-            sight.other = beyond(there, i, back);
-            sight.normal_v = normal_now(work_, v, sectors[k]);
+            Sight<Real> sight{.v = v_, .q = q, .gap = gap, .film = sector.phase};
+            sight.one = beyond(sectors_, k, towards);
+            sight.other = beyond(there_, i, back);
+            sight.normal_v = normal_now(work_, v_, sectors_[k]);
             sight.normal_q = normal_now(work_, q, sector);
             sight.front_q = at(q);
-            if (!is_behind_squeezed(complex_, sectors, k, sight.other) &&
-                !is_behind_squeezed(complex_, there, i, sight.one) &&
+            if (!is_behind_squeezed(complex_, sectors_, k, sight.other) &&
+                !is_behind_squeezed(complex_, there_, i, sight.one) &&
                 closes(sight, towards, false)) {
-                best = sight;
+                best_ = sight;
             }
             return true;
         }
@@ -237,33 +222,31 @@ private:
 
     // From the end of a front on the domain boundary along it, with the domain on the left, to the
     // end of another.
-    void look_along_boundary(std::uint32_t v, const Sectors<Real>& sectors,
-                             std::optional<Sight<Real>>& best) const {
-        if (sectors.size() < 2 || sectors.is_at_corner) {
+    void look_along_boundary() {
+        if (sectors_.size() < 2 || sectors_.is_at_corner) {
             return;
         }
-        const Phase film = sectors[0].phase;
-        Corner edge = prev(sectors[0].first); // leaves v
-        Sectors<Real>& there = scratch_.there;
+        const Phase film = sectors_[0].phase;
+        Corner edge = prev(sectors_[0].first); // leaves v
         for (int i = 0; i < edges_along_boundary && is_border(complex_.twin(edge)); ++i) {
             const std::uint32_t q = complex_.vertex(prev(edge));
-            find_sectors(complex_, Vertex{q}, there);
-            if (!there.is_on_boundary || there.is_at_corner || is_locked(q)) {
+            find_sectors(complex_, Vertex{q}, there_);
+            if (there_.is_at_corner || complex_.is_locked(Vertex{q})) {
                 return;
             }
-            if (there.size() > 1) {
-                const Point<Real> way = at(q) - at(v);
+            if (there_.size() > 1) {
+                const Point<Real> way = at(q) - at(v_);
                 const Real gap = way.norm();
-                Sight<Real> sight{.v = v, .q = q, .gap = gap, .film = film};
-                sight.one = sectors[1].phase;
-                sight.other = there[there.size() - 2].phase;
+                Sight<Real> sight{.v = v_, .q = q, .gap = gap, .film = film};
+                sight.one = sectors_[1].phase;
+                sight.other = there_[there_.size() - 2].phase;
                 sight.front_q = at(q);
                 sight.normal_v = way / gap;
                 sight.normal_q = -way / gap;
                 sight.is_on_boundary = true;
                 if (gap < static_cast<Real>(max_gap_of_fronts) * work_.edge_length &&
-                    closes(sight, Point<Real>(way / gap), false)) {
-                    best = sight;
+                    closes(sight, sight.normal_v, false)) {
+                    best_ = sight;
                 }
                 return;
             }
@@ -324,20 +307,20 @@ private:
 
     const TopologyWork<Real>& work_;
     const Complex<Real>& complex_;
-    SightScratch<Real>& scratch_;
+    std::uint32_t v_;
+    Sectors<Real> sectors_; ///< of v
+    Sectors<Real> there_;   ///< of a vertex of another front
+    std::optional<Sight<Real>> best_;
 };
 
 } // namespace
 
 template <class Real>
-std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, SightScratch<Real>& scratch,
-                                     std::uint32_t v) {
-    return Looking<Real>(work, scratch).from(v);
+std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v) {
+    return Looking<Real>(work, v).nearest();
 }
 
-template std::optional<Sight<double>> see_front(const TopologyWork<double>&, SightScratch<double>&,
-                                                std::uint32_t);
-template std::optional<Sight<float>> see_front(const TopologyWork<float>&, SightScratch<float>&,
-                                               std::uint32_t);
+template std::optional<Sight<double>> see_front(const TopologyWork<double>&, std::uint32_t);
+template std::optional<Sight<float>> see_front(const TopologyWork<float>&, std::uint32_t);
 
 } // namespace dsc

@@ -33,18 +33,10 @@ struct Sight {
     bool is_squeezed = false;    ///< v and q are the ends of a front that vanishes
 };
 
-/// The arrays of one thread.
+/// The nearest that meets the vertex now, or would in the next sub-step. Only reads; allocates only
+/// at the few vertices that another front is near to. O(degrees).
 template <class Real>
-struct SightScratch {
-    Sectors<Real> here;  ///< at the vertex
-    Sectors<Real> there; ///< at the vertex of the other front
-};
-
-/// The nearest that meets the vertex now, or would in the next sub-step. Only
-/// reads. O(degrees).
-template <class Real>
-[[nodiscard]] std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work,
-                                                   SightScratch<Real>& scratch, std::uint32_t v);
+[[nodiscard]] std::optional<Sight<Real>> see_front(const TopologyWork<Real>& work, std::uint32_t v);
 
 /// Edges of the domain boundary between the ends of two fronts that see each other along it.
 inline constexpr int edges_along_boundary = 4;
