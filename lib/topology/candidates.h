@@ -22,35 +22,24 @@ struct Candidate {
     /// A sharp turn or a junction, other than a turn of two edges inside; or the end of a curve on
     /// the domain boundary, which may have come to a corner.
     bool is_junction;
-    bool is_blocked; ///< against another sheet, or the domain boundary
 };
-
-/// The number of ranges into which a list is divided for the threads.
-inline constexpr std::size_t ranges_of_places = 16;
-
-/// Divides `count` entries into ranges and calls `look(range, begin, end)` for each, by the threads
-/// of the step.
-template <class Look>
-void look_in_ranges(const InShares& in_shares, std::size_t count, const Look& look) {
-    constexpr std::size_t few = 64; // done before another thread has begun
-    const auto look_in = [&](std::size_t range) {
-        look(range, count * range / ranges_of_places, count * (range + 1) / ranges_of_places);
-    };
-    (count < few ? one_by_one : in_shares)(ranges_of_places, std::cref(look_in));
-}
 
 /// Appends what `look(place, found)` appends for each place to `found`, in their order. `look` may
 /// only read, since several threads call it at the same time. No allocation if nothing is found.
 template <class Place, class Found, class Look>
 void find_at(const InShares& in_shares, std::span<const Place> places, std::vector<Found>& found,
              const Look& look) {
-    std::array<std::vector<Found>, ranges_of_places> parts;
-    look_in_ranges(in_shares, places.size(),
-                   [&](std::size_t range, std::size_t begin, std::size_t end) {
-                       for (const Place& place : places.subspan(begin, end - begin)) {
-                           look(place, parts[range]);
-                       }
-                   });
+    constexpr std::size_t ranges = 16; // for the threads
+    constexpr std::size_t few = 64;    // done before another thread has begun
+    std::array<std::vector<Found>, ranges> parts;
+    const auto look_in = [&](std::size_t range) {
+        const std::size_t begin = places.size() * range / ranges;
+        const std::size_t end = places.size() * (range + 1) / ranges;
+        for (const Place& place : places.subspan(begin, end - begin)) {
+            look(place, parts[range]);
+        }
+    };
+    (places.size() < few ? one_by_one : in_shares)(ranges, std::cref(look_in));
     for (const auto& part : parts) {
         found.insert(found.end(), part.begin(), part.end());
     }

@@ -111,6 +111,13 @@ template <class Real>
            }) != no_id;
 }
 
+/// Whether a triangle at the vertex has the phase. O(degree).
+template <class Real>
+[[nodiscard]] bool has_phase(const Complex<Real>& complex, std::uint32_t v, Phase phase) {
+    return find_corner(complex, Vertex{v},
+                       [&](Corner c) { return complex.phase_at(c) == phase; }) != no_id;
+}
+
 /// Whether fronts of different phases that displace this one meet in points (meeting.h): those that
 /// grow into the exterior do. A thin phase among others is a grain that vanishes; it is relabelled.
 [[nodiscard]] constexpr bool meet_in_points(Phase film) { return film == exterior_phase; }

@@ -89,8 +89,7 @@ void TopologyStage<Real>::run_round(const Between<Real>& between, std::uint32_t 
         if ((bits & (noted_sharp | noted_junction)) != 0 || is_blocked) {
             found.push_back({.vertex = v,
                              .is_sharp = (bits & noted_sharp) != 0,
-                             .is_junction = (bits & noted_junction) != 0,
-                             .is_blocked = is_blocked});
+                             .is_junction = (bits & noted_junction) != 0});
         }
     };
     find_at(between.in_shares, between.interface, candidates_, look);

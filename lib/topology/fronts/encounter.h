@@ -8,13 +8,6 @@
 
 namespace dsc {
 
-/// A vertex on its way meets the other front.
-template <class Real>
-struct Encounter {
-    Point<Real> place;
-    Real shares; ///< of a sub-step from now
-};
-
 /// Where v, which is at a place now, meets the tangent of the other front. Empty if the fronts
 /// hardly approach each other. O(1).
 template <class Real>

@@ -208,11 +208,9 @@ private:
     // Joins the ends of two seams as the front between them vanishes: the fronts on both sides of
     // it meet there, and a seam between them begins.
     std::uint32_t join_ends(const Sight<Real>& sight) {
-        const auto end = end_of_squeezed(work_, sight.v, sight.q, sight.film);
-        const std::uint32_t kept =
-            end ? contract<Real>(work_, sight.v, sight.q, end->place) : no_id;
+        const std::uint32_t kept = contract(work_, sight.v, sight.q, sight.vanishing.place);
         if (kept != no_id) {
-            put_ahead(work_, kept, end->shares, end->speed);
+            put_ahead(work_, kept, sight.vanishing.shares, sight.speed_v);
             leave_film(work_, Vertex{kept}, sight.film);
         }
         return kept;
@@ -277,11 +275,6 @@ private:
                                 .area = area});
     }
 
-    [[nodiscard]] bool has_phase(std::uint32_t v, Phase phase) const {
-        return find_corner(complex_, Vertex{v},
-                           [&](Corner c) { return complex_.phase_at(c) == phase; }) != no_id;
-    }
-
     // The vertex belongs to a seam of the same fronts, which begins at it or within a few edges
     // along the film: between them is a pocket, which closes next.
     [[nodiscard]] bool is_beside_seam(std::uint32_t v, const Sight<Real>& sight) const {
@@ -293,7 +286,8 @@ private:
                    }
                    for (int i = 0; i < edges_of_pocket; ++i) {
                        const std::uint32_t end = complex_.vertex(prev(edge));
-                       if (end != v && has_phase(end, sight.one) && has_phase(end, sight.other)) {
+                       if (end != v && has_phase(complex_, end, sight.one) &&
+                           has_phase(complex_, end, sight.other)) {
                            return true;
                        }
                        edge = along_outline(complex_, edge);

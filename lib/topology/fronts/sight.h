@@ -10,6 +10,13 @@
 
 namespace dsc {
 
+/// Where fronts meet.
+template <class Real>
+struct Encounter {
+    Point<Real> place = Point<Real>::Zero();
+    Real shares = 0; ///< of a sub-step from now
+};
+
 /// A vertex of a front, and what it sees across a film.
 template <class Real>
 struct Sight {
@@ -26,11 +33,12 @@ struct Sight {
     Point<Real> normal_q = Point<Real>::Zero(); ///< the same at q
     Real speed_v = 0;                           ///< ways along the normals in a whole sub-step
     Real speed_q = 0;                           ///< the same at q
-    Real lead_v = 0;             ///< by which v is ahead of its front, along its normal
-    Real lead_q = 0;             ///< the same at q
-    bool is_on_boundary = false; ///< both lie on the domain boundary
-    bool is_passed = false;      ///< q is the end of a seam that v belongs to
-    bool is_squeezed = false;    ///< v and q are the ends of a front that vanishes
+    Real lead_v = 0;                ///< by which v is ahead of its front, along its normal
+    Real lead_q = 0;                ///< the same at q
+    bool is_on_boundary = false;    ///< both lie on the domain boundary
+    bool is_passed = false;         ///< q is the end of a seam that v belongs to
+    bool is_squeezed = false;       ///< v and q are the ends of a front that vanishes...
+    Encounter<Real> vanishing = {}; ///< ...there
 };
 
 /// The nearest that meets the vertex now, or would in the next sub-step. Only reads; allocates only

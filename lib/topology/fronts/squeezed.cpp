@@ -7,7 +7,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace dsc {
 
@@ -22,41 +24,17 @@ constexpr double max_way_of_ends = 1.5;
 /// fronts beside it say nothing.
 constexpr double longest_overdue = 2;
 
-// The half-edge between two vertices with the film on its left, if it is a sheet.
+// The front of the half-edge `edge`, with the film on its left, between v and q, if it vanishes
+// within the coming sub-step: the place p and the time t with n.(p - x) = s t for the normal n, the
+// speed s and a point x of it and of the fronts before and after it.
 template <class Real>
-Corner sheet_between(const Complex<Real>& complex, std::uint32_t v, std::uint32_t q, Phase film) {
-    Corner sheet = no_id;
-    const auto finds = [&](Corner c) {
-        const Corner edge = complex.vertex(next(c)) == q ? prev(c) : next(c);
-        const bool reaches = complex.vertex(next(c)) == q || complex.vertex(prev(c)) == q;
-        sheet = reaches && complex.phase_at(c) == film && is_sheet(complex, edge) ? edge : no_id;
-        return sheet != no_id;
-    };
-    return find_corner(complex, Vertex{v}, finds) == no_id ? no_id : sheet;
-}
-
-// The half-edge of the film's outline that ends where another begins.
-template <class Real>
-Corner before_on_outline(const Complex<Real>& complex, Corner edge) {
-    const Corner c = find_corner(complex, Vertex{complex.vertex(next(edge))}, [&](Corner k) {
-        return complex.phase_at(k) == complex.phase_at(edge) && is_outline(complex, next(k));
-    });
-    return c == no_id ? no_id : next(c);
-}
-
-} // namespace
-
-// The place p and the time t with n.(p - q) = s t for the normal n, the speed s and a point q of
-// each of the three fronts.
-template <class Real>
-std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, std::uint32_t v,
-                                               std::uint32_t q, Phase film) {
+std::optional<Sight<Real>> end_of_squeezed(const TopologyWork<Real>& work, std::uint32_t v,
+                                           std::uint32_t q, Corner edge) {
     const Complex<Real>& complex = work.complex;
-    const Corner edge = sheet_between(complex, v, q, film);
-    const Corner before = edge == no_id ? no_id : before_on_outline(complex, edge);
-    if (before == no_id) {
-        return {};
-    }
+    const Phase film = complex.phase_at(edge);
+    const Corner before = previous_along(complex, edge, [&](Corner other) {
+        return complex.phase_at(other) == film && is_outline(complex, other);
+    });
     const std::array edges{before, edge, along_outline(complex, edge)};
     const std::array phases{phase_beyond(complex, edges[0]), phase_beyond(complex, edges[1]),
                             phase_beyond(complex, edges[2])};
@@ -70,7 +48,7 @@ std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, s
     Real sum = 0;
     double fastest = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        if (phases[i] == border_phase || !(contact_of(work, film, phases[i]) > 0)) {
+        if (!(contact_of(work, film, phases[i]) > 0)) {
             return {};
         }
         const CurvePoint<Real> front = curve_now(work, edges[i], Real(0.5), Real(0));
@@ -98,34 +76,38 @@ std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>& work, s
         !(solution.head<2>().norm() < farthest)) {
         return {};
     }
-    return Vanishing<Real>{.place = middle + solution.head<2>().template cast<Real>(),
-                           .shares = static_cast<Real>(solution.z()),
-                           .speed = sum / 3,
-                           .beside = {phases[0], phases[2]}};
+    return Sight<Real>{.v = v,
+                       .q = q,
+                       .gap = (complex.position(Vertex{q}) - complex.position(Vertex{v})).norm(),
+                       .film = film,
+                       .one = phases[0],
+                       .other = phases[2],
+                       .speed_v = sum / 3,
+                       .speed_q = sum / 3,
+                       .is_squeezed = true,
+                       .vanishing = {.place = middle + solution.head<2>().template cast<Real>(),
+                                     .shares = static_cast<Real>(solution.z())}};
 }
+
+} // namespace
 
 template <class Real>
 std::optional<Sight<Real>> see_squeezed(const TopologyWork<Real>& work,
                                         const Sectors<Real>& sectors, std::uint32_t v,
                                         std::size_t k) {
     const Complex<Real>& complex = work.complex;
-    const Sector<Real>& sector = sectors[k];
+    const Corner first = sectors[k].first;
+    const Corner last = last_of(complex, sectors[k]);
     std::optional<Sight<Real>> best;
-    for (const std::uint32_t q :
-         {complex.vertex(next(sector.first)), complex.vertex(prev(last_of(complex, sector)))}) {
-        const Real gap = (complex.position(Vertex{q}) - complex.position(Vertex{v})).norm();
-        if ((best && !(gap < best->gap)) || !is_junction(complex, Vertex{q}) ||
-            complex.is_locked(Vertex{q}) || is_on_boundary(complex, Vertex{q})) {
+    for (const auto& [q, edge] : {std::pair(complex.vertex(next(first)), prev(first)),
+                                  {complex.vertex(prev(last)), next(last)}}) {
+        if (!is_junction(complex, Vertex{q}) || complex.is_locked(Vertex{q}) ||
+            is_on_boundary(complex, Vertex{q})) {
             continue;
         }
-        if (const auto end = end_of_squeezed(work, v, q, sector.phase)) {
-            best = Sight<Real>{.v = v,
-                               .q = q,
-                               .gap = gap,
-                               .film = sector.phase,
-                               .one = end->beside[0],
-                               .other = end->beside[1],
-                               .is_squeezed = true};
+        const auto end = end_of_squeezed(work, v, q, edge);
+        if (end && (!best || end->gap < best->gap)) {
+            best = end;
         }
     }
     return best;
@@ -135,17 +117,12 @@ template <class Real>
 bool is_behind_squeezed(const Complex<Real>& complex, const Sectors<Real>& sectors, std::size_t k,
                         Phase front) {
     const Sector<Real>& sector = sectors[k];
-    const auto has_front = [&](std::uint32_t w) {
-        return find_corner(complex, Vertex{w},
-                           [&](Corner c) { return complex.phase_at(c) == front; }) != no_id;
-    };
-    return sectors.size() > 2 && (has_front(complex.vertex(next(sector.first))) ||
-                                  has_front(complex.vertex(prev(last_of(complex, sector)))));
+    return sectors.size() > 2 &&
+           (has_phase(complex, complex.vertex(next(sector.first)), front) ||
+            has_phase(complex, complex.vertex(prev(last_of(complex, sector))), front));
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
-    template std::optional<Vanishing<Real>> end_of_squeezed(const TopologyWork<Real>&,             \
-                                                            std::uint32_t, std::uint32_t, Phase);  \
     template std::optional<Sight<Real>> see_squeezed(                                              \
         const TopologyWork<Real>&, const Sectors<Real>&, std::uint32_t, std::size_t);              \
     template bool is_behind_squeezed(const Complex<Real>&, const Sectors<Real>&, std::size_t,      \

@@ -5,28 +5,13 @@
 
 #include "topology/fronts/sight.h"
 
-#include <array>
 #include <optional>
 
 namespace dsc {
 
-/// Where and when a squeezed front vanishes.
-template <class Real>
-struct Vanishing {
-    Point<Real> place;           ///< which it and the fronts on both sides reach at the same time
-    Real shares;                 ///< of a sub-step from now
-    Real speed;                  ///< the mean way of the three in a sub-step
-    std::array<Phase, 2> beside; ///< the fronts on both sides, which meet there
-};
-
-/// When the front between v and q vanishes, two neighbours on the outline of the film.
-/// Empty if it does not vanish within the coming sub-step. Only reads. O(degrees).
-template <class Real>
-[[nodiscard]] std::optional<Vanishing<Real>>
-end_of_squeezed(const TopologyWork<Real>& work, std::uint32_t v, std::uint32_t q, Phase film);
-
 /// From the end v of a seam, in its sector k of the film: the other end of a front that vanishes
-/// within the coming sub-step. Only reads. O(degrees).
+/// within the coming sub-step, where it and the fronts on both sides of it, which are those of the
+/// sight, meet. The speeds are the mean of the three. Only reads. O(degrees).
 template <class Real>
 [[nodiscard]] std::optional<Sight<Real>> see_squeezed(const TopologyWork<Real>& work,
                                                       const Sectors<Real>& sectors, std::uint32_t v,

@@ -88,8 +88,7 @@ inline std::vector<Event> change(Complex<double>& complex,
     for (const Vertex v : vertices(complex)) {
         const Point<double> p = complex.position(v);
         places[v] = {p.x(), p.y()};
-        candidates.push_back(
-            {.vertex = v.id, .is_sharp = true, .is_junction = true, .is_blocked = false});
+        candidates.push_back({.vertex = v.id, .is_sharp = true, .is_junction = true});
         interface.push_back(v.id);
     }
     std::vector<Event> events;
