@@ -35,15 +35,12 @@ auto Arrival<Real>::front_at(const TopologyWork<Real>& work, Corner sheet) const
     const Real speed = std::max(
         dsc::speed_of(work, front_point(complex, sheet, Real(0.5)), normal).value_or(Real(0)),
         Real(0));
-    const auto lead = [&](std::uint32_t v) {
-        return lead_of(work, front_point<Real>(v), normal, speed);
-    };
     return {.phase = phase_beyond(complex, sheet),
             .from = complex.position(Vertex{ends[0]}),
             .way = way,
             .is_end = {is_on_boundary(complex, Vertex{ends[0]}),
                        is_on_boundary(complex, Vertex{ends[1]})},
-            .leads = {lead(ends[0]), lead(ends[1])},
+            .leads = {lead_of(work, ends[0], normal, speed), lead_of(work, ends[1], normal, speed)},
             .speed = speed};
 }
 

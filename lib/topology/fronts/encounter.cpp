@@ -4,6 +4,7 @@
 #include "topology/fronts/front_curve.h"
 #include "topology/fronts/front_point.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dsc {
@@ -57,7 +58,7 @@ private:
             sight.gap = (at(q) - at(v_)).norm();
             sight.one = own_;
             sight.other = phase_beyond(complex_, edge);
-            if (may_meet(sight) && see(sight, edge)) {
+            if (contact_of(work_, sight) > 0 && see(sight, edge)) {
                 const auto met = encounter_of(sight, at(v_));
                 const Real reach = static_cast<Real>(reach_of_end) * work_.edge_length;
                 if (met && (met->place - at(q)).dot(middle_of(film)) <= reach) {
@@ -68,18 +69,10 @@ private:
         return {};
     }
 
-    [[nodiscard]] bool may_meet(const Sight<Real>& sight) const {
-        return sight.one != sight.other && sight.one != sight.film && sight.other != sight.film &&
-               sight.one != border_phase && sight.other != border_phase &&
-               contact_of(work_, sight.film, sight.one) > 0 &&
-               contact_of(work_, sight.film, sight.other) > 0;
-    }
-
     // Notes the fronts; returns whether their speeds are known.
     [[nodiscard]] bool see(Sight<Real>& sight, Corner edge) const {
-        const FrontPoint<Real> own = front_point<Real>(v_);
         sight.normal_v = normal_now(work_, v_, sector_);
-        const auto speed = speed_of(work_, own, sight.normal_v);
+        const auto speed = speed_of(work_, front_point<Real>(v_), sight.normal_v);
         if (!speed) {
             return false;
         }
@@ -90,7 +83,7 @@ private:
         sight.speed_v = *speed;
         sight.speed_q =
             speed_of(work_, front_point(complex_, edge, middle), front.normal).value_or(*speed);
-        sight.lead_v = lead_of(work_, own, sight.normal_v, *speed);
+        sight.lead_v = lead_of(work_, v_, sight.normal_v, *speed);
         return true;
     }
 
@@ -102,6 +95,15 @@ private:
 };
 
 } // namespace
+
+template <class Real>
+Real contact_of(const TopologyWork<Real>& work, const Sight<Real>& sight) {
+    if (sight.one == sight.other || !meet_in_points(sight.film)) {
+        return 0;
+    }
+    return within_triangles(work, std::min(contact_of(work, sight.film, sight.one),
+                                           contact_of(work, sight.film, sight.other)));
+}
 
 template <class Real>
 std::optional<Encounter<Real>> encounter_of(const Sight<Real>& sight, const Point<Real>& v) {
@@ -125,6 +127,7 @@ std::optional<Sight<Real>> see_passed_end(const TopologyWork<Real>& work,
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
+    template Real contact_of(const TopologyWork<Real>&, const Sight<Real>&);                       \
     template std::optional<Encounter<Real>> encounter_of(const Sight<Real>&, const Point<Real>&);  \
     template std::optional<Sight<Real>> see_passed_end(                                            \
         const TopologyWork<Real>&, const Sectors<Real>&, std::uint32_t, std::size_t);

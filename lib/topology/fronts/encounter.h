@@ -8,6 +8,11 @@
 
 namespace dsc {
 
+/// The contact distance of the fronts of a sight, within triangles; 0 if they must not meet.
+/// O(pairs).
+template <class Real>
+[[nodiscard]] Real contact_of(const TopologyWork<Real>& work, const Sight<Real>& sight);
+
 /// Where v, which is at a place now, meets the tangent of the other front. Empty if the fronts
 /// hardly approach each other. O(1).
 template <class Real>

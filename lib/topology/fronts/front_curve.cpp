@@ -5,6 +5,7 @@
 #include "topology/fronts/front_point.h"
 
 #include <cmath>
+#include <optional>
 
 namespace dsc {
 
@@ -25,18 +26,18 @@ bool is_one_bend(const Complex<Real>& complex, std::uint32_t v, const Point<Real
 
 // `place(v)`: where a vertex counts as being.
 template <class Real, class Place>
-Point<Real> normal_of_parabola(const Complex<Real>& complex, std::uint32_t v,
-                               const Sector<Real>& sector, const Place& place) {
+CurvePoint<Real> point_of_parabola(const Complex<Real>& complex, std::uint32_t v,
+                                   const Sector<Real>& sector, const Place& place) {
     const Point<Real> from = place(complex.vertex(next(sector.first)));
     const Point<Real> to = place(complex.vertex(prev(last_of(complex, sector))));
     const Point<Real> middle = place(v);
     if (!is_one_bend<Real>(complex, v, from, middle, to)) {
-        return middle_of(sector);
+        return {middle, middle_of(sector)};
     }
     const Point<Real> back = from - middle;
     const Point<Real> ahead = to - middle;
     const Point<Real> tangent = back / back.squaredNorm() - ahead / ahead.squaredNorm();
-    return Point<Real>(-tangent.y(), tangent.x()).normalized();
+    return {middle, Point<Real>(-tangent.y(), tangent.x()).normalized()};
 }
 
 // `place(v)`: where a vertex counts as being.
@@ -62,6 +63,32 @@ CurvePoint<Real> point_of_cubic(const Complex<Real>& complex, Corner edge, Real 
     return {curve_point(curve, share), Point<Real>(-along.y(), along.x()).normalized()};
 }
 
+// The point `point_of(place)` where the front is at the time of the simulation. `speed_along`: of
+// the front along a normal; if nobody knows it, the front is where its vertices are.
+template <class Real, class SpeedAlong, class PointOf>
+CurvePoint<Real> point_now(const TopologyWork<Real>& work, const SpeedAlong& speed_along,
+                           const PointOf& point_of) {
+    const auto at = [&](std::uint32_t v) -> Point<Real> {
+        return work.complex.position(Vertex{v});
+    };
+    CurvePoint<Real> point = point_of(at);
+    bool is_tilted = true;
+    for (int round = 0; round < rounds_of_normal && is_tilted; ++round) {
+        const Point<Real> normal = point.normal;
+        const std::optional<Real> speed = speed_along(normal);
+        if (!speed) {
+            break;
+        }
+        is_tilted = false;
+        point = point_of([&](std::uint32_t v) -> Point<Real> {
+            const Real lead = lead_of(work, v, normal, *speed);
+            is_tilted = is_tilted || lead != 0;
+            return at(v) - lead * normal;
+        });
+    }
+    return point;
+}
+
 } // namespace
 
 template <class Real>
@@ -82,65 +109,34 @@ Point<Real> middle_of(const Sector<Real>& sector) {
 }
 
 template <class Real>
-Point<Real> normal_at(const Complex<Real>& complex, std::uint32_t v, const Sector<Real>& sector) {
-    return normal_of_parabola(complex, v, sector, [&](std::uint32_t w) -> Point<Real> {
-        return complex.position(Vertex{w});
-    });
-}
-
-template <class Real>
 Point<Real> normal_now(const TopologyWork<Real>& work, std::uint32_t v,
                        const Sector<Real>& sector) {
-    Point<Real> normal = normal_at(work.complex, v, sector);
-    bool is_tilted = true;
-    for (int round = 0; round < rounds_of_normal && is_tilted; ++round) {
-        const auto speed = speed_of(work, front_point<Real>(v), normal);
-        if (!speed) {
-            break;
-        }
-        is_tilted = false;
-        normal = normal_of_parabola(work.complex, v, sector, [&](std::uint32_t w) -> Point<Real> {
-            const Real lead = lead_of(work, front_point<Real>(w), normal, *speed);
-            is_tilted = is_tilted || lead != 0;
-            return work.complex.position(Vertex{w}) - lead * normal;
-        });
-    }
-    return normal;
-}
-
-template <class Real>
-CurvePoint<Real> curve_at(const TopologyWork<Real>& work, Corner edge, Real share) {
-    return point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
-        return work.complex.position(Vertex{v});
-    });
+    const auto speed = [&](const Point<Real>& normal) {
+        return speed_of(work, front_point<Real>(v), normal);
+    };
+    return point_now(
+               work, speed,
+               [&](const auto& place) { return point_of_parabola(work.complex, v, sector, place); })
+        .normal;
 }
 
 template <class Real>
 CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
                            Real other_speed) {
-    CurvePoint<Real> point = curve_at(work, edge, share);
-    bool is_tilted = true;
-    for (int round = 0; round < rounds_of_normal && is_tilted; ++round) {
-        const Real speed = speed_of(work, front_point(work.complex, edge, share), point.normal)
-                               .value_or(other_speed);
-        const Point<Real> normal = point.normal;
-        is_tilted = false;
-        point = point_of_cubic(work.complex, edge, share, [&](std::uint32_t v) -> Point<Real> {
-            const Real lead = lead_of(work, front_point<Real>(v), normal, speed);
-            is_tilted = is_tilted || lead != 0;
-            return work.complex.position(Vertex{v}) - lead * normal;
-        });
-    }
-    return point;
+    const FrontPoint<Real> middle = front_point(work.complex, edge, share);
+    const auto speed = [&](const Point<Real>& normal) -> std::optional<Real> {
+        return speed_of(work, middle, normal).value_or(other_speed);
+    };
+    return point_now(work, speed, [&](const auto& place) {
+        return point_of_cubic(work.complex, edge, share, place);
+    });
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Corner last_of(const Complex<Real>&, const Sector<Real>&);                            \
     template Point<Real> middle_of(const Sector<Real>&);                                           \
-    template Point<Real> normal_at(const Complex<Real>&, std::uint32_t, const Sector<Real>&);      \
     template Point<Real> normal_now(const TopologyWork<Real>&, std::uint32_t,                      \
                                     const Sector<Real>&);                                          \
-    template CurvePoint<Real> curve_at(const TopologyWork<Real>&, Corner, Real);                   \
     template CurvePoint<Real> curve_now(const TopologyWork<Real>&, Corner, Real, Real);
 DSC_INSTANTIATE(double)
 DSC_INSTANTIATE(float)

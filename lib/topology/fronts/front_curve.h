@@ -17,13 +17,8 @@ template <class Real>
 
 /// The normal of a front at a vertex, into its sector: that of the parabola through both neighbours
 /// by chord length, since the bisector would lean towards the longer edge; the bisector where the
-/// front has a corner. O(degree).
-template <class Real>
-[[nodiscard]] Point<Real> normal_at(const Complex<Real>& complex, std::uint32_t v,
-                                    const Sector<Real>& sector);
-
-/// The same where the front is at the time of the simulation: vertices that met another front ahead
-/// of the time would tilt it. O(degrees).
+/// front has a corner. It is that of the front at the time of the simulation: vertices that met
+/// another front ahead of the time would tilt it. O(degrees).
 template <class Real>
 [[nodiscard]] Point<Real> normal_now(const TopologyWork<Real>& work, std::uint32_t v,
                                      const Sector<Real>& sector);
@@ -35,12 +30,9 @@ struct CurvePoint {
     Point<Real> normal;
 };
 
-/// At a share of an edge, on the cubic on which new vertices lie. O(degrees).
-template <class Real>
-[[nodiscard]] CurvePoint<Real> curve_at(const TopologyWork<Real>& work, Corner edge, Real share);
-/// The same on the curve where the front is at the time of the simulation, though some of its
-/// vertices are ahead. `other_speed`: along the normal in a sub-step, if the front's own is
-/// unknown. O(degrees).
+/// At a share of an edge, on the cubic on which new vertices lie, where the front is at the time of
+/// the simulation, though some of its vertices are ahead. `other_speed`: along the normal in a
+/// sub-step, if the front's own is unknown. O(degrees).
 template <class Real>
 [[nodiscard]] CurvePoint<Real> curve_now(const TopologyWork<Real>& work, Corner edge, Real share,
                                          Real other_speed);

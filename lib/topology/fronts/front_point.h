@@ -40,10 +40,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] std::optional<Real>
 speed_of(const TopologyWork<Real>& work, const FrontPoint<Real>& point, const Point<Real>& normal);
-/// How far the point is ahead of its front, which goes so far along this normal in a sub-step;
+/// How far the vertex is ahead of its front, which goes so far along this normal in a sub-step;
 /// below 0 if it did not arrive.
 template <class Real>
-[[nodiscard]] Real lead_of(const TopologyWork<Real>& work, const FrontPoint<Real>& point,
+[[nodiscard]] Real lead_of(const TopologyWork<Real>& work, std::uint32_t v,
                            const Point<Real>& normal, Real speed);
 /// Notes that the vertex is so many sub-steps ahead of its fronts, or late if below 0, and how far
 /// they go in a sub-step.

@@ -106,11 +106,6 @@ private:
         return sector.count == 1 && is_sheet(complex_, sector.first);
     }
 
-    // 0 where fronts must not meet.
-    [[nodiscard]] Real contact(Phase film, Phase other) const {
-        return within_triangles(work_, contact_of(work_, film, other));
-    }
-
     // Away from both edges of the sector.
     [[nodiscard]] static bool faces(const Sector<Real>& sector, const Point<Real>& towards) {
         const double angle = angle_between(sector.ray, towards);
@@ -227,9 +222,9 @@ private:
             return;
         }
         const Phase film = sectors_[0].phase;
-        Corner edge = prev(sectors_[0].first); // leaves v
-        for (int i = 0; i < edges_along_boundary && is_border(complex_.twin(edge)); ++i) {
-            const std::uint32_t q = complex_.vertex(prev(edge));
+        Corner first = sectors_[0].first;
+        for (int i = 0; i < edges_along_boundary; ++i) {
+            const std::uint32_t q = complex_.vertex(next(first));
             find_sectors(complex_, Vertex{q}, there_);
             if (there_.is_at_corner || complex_.is_locked(Vertex{q})) {
                 return;
@@ -250,23 +245,15 @@ private:
                 }
                 return;
             }
-            const Corner at_q = find_corner(
-                complex_, Vertex{q}, [&](Corner c) { return is_border(complex_.twin(prev(c))); });
-            if (at_q == no_id) {
-                return;
-            }
-            edge = prev(at_q);
+            first = there_[0].first;
         }
     }
 
     // Whether the fronts meet now, or would in another sub-step like the last one; notes their
     // speeds. A pocket closes in any case.
     bool closes(Sight<Real>& sight, const Point<Real>& towards, bool is_enclosed) const {
-        const Real reach =
-            std::min(contact(sight.film, sight.one), contact(sight.film, sight.other));
-        if (!(reach > 0) || !meet_in_points(sight.film) || sight.one == sight.other ||
-            sight.one == border_phase || sight.other == border_phase || sight.film == sight.one ||
-            sight.film == sight.other) {
+        const Real reach = contact_of(work_, sight);
+        if (!(reach > 0)) {
             return false;
         }
         const FrontPoint<Real> own = front_point<Real>(sight.v);
@@ -293,9 +280,9 @@ private:
         const auto speed_q = speed_of(work_, other, sight.normal_q);
         sight.speed_v = speed_v.value_or(speed_q.value_or(Real(0)));
         sight.speed_q = speed_q.value_or(speed_v.value_or(Real(0)));
-        sight.lead_v = lead_of(work_, own, sight.normal_v, sight.speed_v);
+        sight.lead_v = lead_of(work_, sight.v, sight.normal_v, sight.speed_v);
         if (sight.q != no_id) {
-            sight.lead_q = lead_of(work_, other, sight.normal_q, sight.speed_q);
+            sight.lead_q = lead_of(work_, sight.q, sight.normal_q, sight.speed_q);
         }
         if (is_enclosed || sight.gap < std::max(reach, closing)) {
             return true;
