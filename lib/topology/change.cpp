@@ -7,7 +7,6 @@
 #include "topology/fronts/meeting.h"
 #include "topology/give_back.h"
 #include "topology/junctions/junctions.h"
-#include "topology/landing/junction_landing.h"
 #include "topology/landing/landing.h"
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 #include "dsc/complex/ranges.h"
 #include "topology/region.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -68,11 +67,7 @@ void check_contact(const Complex<Real>& complex, const TopologyOptions<Real>& op
 
 template <class Real>
 bool differ_in_contact(const TopologyOptions<Real>& one, const TopologyOptions<Real>& other) {
-    const auto is_same = [](const PairTopology<Real>& a, const PairTopology<Real>& b) {
-        return a.one == b.one && a.other == b.other && a.rule == b.rule && a.contact == b.contact;
-    };
-    return one.rule != other.rule || one.contact != other.contact ||
-           !std::ranges::equal(one.pairs, other.pairs, is_same);
+    return one.rule != other.rule || one.contact != other.contact || one.pairs != other.pairs;
 }
 
 #define DSC_INSTANTIATE(Real)                                                                      \

@@ -9,32 +9,35 @@
 
 namespace dsc {
 
+namespace {
+
+// Of a rule: 0 stands for the default.
+template <class Real>
+Real length_of(Real contact, Real edge_length) {
+    return contact > 0 ? contact : static_cast<Real>(default_contact) * edge_length;
+}
+
+} // namespace
+
 template <class Real>
 TopologyRule<Real> rule_of(const TopologyOptions<Real>& options, Real edge_length, Phase one,
                            Phase other) {
-    const auto length = [&](Real contact) {
-        return contact > 0 ? contact : static_cast<Real>(default_contact) * edge_length;
-    };
     for (const auto& pair : options.pairs) {
-        if ((pair.one == one && pair.other == other) || (pair.one == other && pair.other == one)) {
-            return {pair.rule, length(pair.contact)};
+        if (std::minmax(pair.one, pair.other) == std::minmax(one, other)) {
+            return {pair.rule, length_of(pair.contact, edge_length)};
         }
     }
-    return {options.rule, length(options.contact)};
+    return {options.rule, length_of(options.contact, edge_length)};
 }
 
 template <class Real>
 Real largest_contact(const TopologyOptions<Real>& options, Real edge_length) {
-    Real largest = 0;
-    const auto take = [&](Topology rule, Real contact) {
-        if (rule == Topology::change) {
-            largest = std::max(
-                largest, contact > 0 ? contact : static_cast<Real>(default_contact) * edge_length);
-        }
+    const auto length = [&](Topology rule, Real contact) {
+        return rule == Topology::change ? length_of(contact, edge_length) : Real(0);
     };
-    take(options.rule, options.contact);
+    Real largest = length(options.rule, options.contact);
     for (const auto& pair : options.pairs) {
-        take(pair.rule, pair.contact);
+        largest = std::max(largest, length(pair.rule, pair.contact));
     }
     return largest;
 }

@@ -5,6 +5,7 @@
 #include "dsc/base/names.h"
 #include "dsc/base/types.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct PairTopology {
     Phase other = exterior_phase;   ///< the other one
     Topology rule = Topology::keep; ///< of this pair
     Real contact = 0;               ///< as in `TopologyOptions`
+
+    /// Whether both are the same, member by member.
+    bool operator==(const PairTopology&) const = default;
 };
 
 /// Two sheets of the interface that have come close, with a film of one phase between them.
@@ -90,12 +94,9 @@ struct TopologyOptions {
 
     /// Whether any topology may change.
     [[nodiscard]] bool changes() const {
-        for (const auto& pair : pairs) {
-            if (pair.rule == Topology::change) {
-                return true;
-            }
-        }
-        return rule == Topology::change;
+        return rule == Topology::change || std::ranges::any_of(pairs, [](const auto& pair) {
+                   return pair.rule == Topology::change;
+               });
     }
 };
 

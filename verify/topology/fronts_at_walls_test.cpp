@@ -7,7 +7,6 @@
 #include "dsc/queries/validate.h"
 #include "topology/fronts/division.h"
 #include "topology/junctions/mending.h"
-#include "topology/landing/junction_landing.h"
 #include "topology/landing/landing.h"
 
 #include <gtest/gtest.h>

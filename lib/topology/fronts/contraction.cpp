@@ -8,8 +8,8 @@
 #include "topology/junctions/merging.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
+#include <span>
 #include <tuple>
 
 namespace dsc {
@@ -34,56 +34,39 @@ public:
             if (edge == no_id) {
                 return no_id;
             }
-            std::vector<std::uint32_t> common;
-            std::ranges::set_intersection(link_of(complex_, v), link_of(complex_, q),
-                                          std::back_inserter(common));
-            const bool is_inside = !is_border(edge) && !is_border(complex_.twin(edge));
+            const bool is_inside = !is_border(complex_.twin(edge));
             const bool has_side_v = is_on_boundary(complex_, Vertex{v});
             const bool has_side_q = is_on_boundary(complex_, Vertex{q});
             if (is_inside && has_side_v && has_side_q) {
                 return no_id; // the domain would be pinched
             }
-            if (common.size() !=
-                (is_inside ? 2U : 1U)) { // a vertex inside a phase may be in the way
-                if (std::ranges::none_of(common,
-                                         [&](std::uint32_t x) {
-                                             return remove_inside(work_, Vertex{x}, Real(0));
-                                         }) &&
-                    std::ranges::none_of(common, [&](std::uint32_t x) {
-                        return x != complex_.vertex(edge) &&
-                               x != complex_.vertex(complex_.twin(edge)) &&
-                               (flip_edge(v, x) || flip_edge(q, x));
-                    })) {
+            std::vector<std::uint32_t> common;
+            std::ranges::set_intersection(link_of(complex_, v), link_of(complex_, q),
+                                          std::back_inserter(common));
+            if (common.size() != (is_inside ? 2U : 1U)) { // a vertex may be in the way
+                if (!clear(common, v, q, edge)) {
                     return no_id;
                 }
                 continue;
             }
-            const Worst of_v = worst_at(v, q, place);
-            const Worst of_q = worst_at(q, v, place);
-            const Worst& worst = of_v.height <= of_q.height ? of_v : of_q;
-            if (worst.height < static_cast<Real>(poor_height) && removed < max_cleared) {
-                const std::array ends{complex_.vertex(next(worst.corner)),
-                                      complex_.vertex(prev(worst.corner))};
-                if (remove_inside(work_, Vertex{ends[0]}, Real(0)) ||
-                    remove_inside(work_, Vertex{ends[1]}, Real(0)) || flip_away(worst, place)) {
-                    continue;
-                }
+            const Worst worst = std::ranges::min({worst_at(v, q, place), worst_at(q, v, place)}, {},
+                                                 &Worst::height);
+            if (worst.height < static_cast<Real>(poor_height) && removed < max_cleared &&
+                (remove(complex_.vertex(next(worst.corner))) ||
+                 remove(complex_.vertex(prev(worst.corner))) || flip_away(worst, place))) {
+                continue;
             }
             if (!(worst.height > 0)) {
                 return no_id;
             }
-            give_tip(edge);
-            give_tip(complex_.twin(edge));
             note_sweep(work_, Vertex{v}, Vertex{q}, place);
             note_sweep(work_, Vertex{q}, Vertex{v}, place);
             const auto order = [&](std::uint32_t w) { return std::tuple(at(w).x(), at(w).y()); };
-            const std::uint32_t gone = has_side_v != has_side_q ? (has_side_v ? q : v)
-                                       : order(v) < order(q)    ? q
-                                                                : v;
-            const std::uint32_t kept = gone == v ? q : v;
+            const bool keeps_v = has_side_v != has_side_q ? has_side_v : order(v) < order(q);
+            const std::uint32_t kept = keeps_v ? v : q;
             rewire::collapse(complex_, complex_.journal, edge,
-                             complex_.vertex(next(edge)) == gone ? rewire::Vanishing::next
-                                                                 : rewire::Vanishing::prev,
+                             complex_.vertex(next(edge)) == kept ? rewire::Vanishing::prev
+                                                                 : rewire::Vanishing::next,
                              complex_.ids);
             rewire::move(complex_, complex_.journal, kept, place.x(), place.y(), MoveReason::flow);
             settle(kept);
@@ -104,6 +87,20 @@ private:
             return complex_.vertex(next(k)) == q || complex_.vertex(prev(k)) == q;
         });
         return c == no_id ? no_id : complex_.vertex(next(c)) == q ? prev(c) : next(c);
+    }
+
+    bool remove(std::uint32_t inside) { return remove_inside(work_, Vertex{inside}, Real(0)); }
+    // Unless the edge bounds a phase.
+    bool flip(Corner edge) { return edge_flip(submesh_, edge) == Verdict::legal; }
+
+    // Takes a common neighbour of v and q that is no apex of their edge out of the link of one.
+    bool clear(std::span<const std::uint32_t> common, std::uint32_t v, std::uint32_t q,
+               Corner edge) {
+        return std::ranges::any_of(common, [&](std::uint32_t x) { return remove(x); }) ||
+               std::ranges::any_of(common, [&](std::uint32_t x) {
+                   return x != complex_.vertex(edge) && x != complex_.vertex(complex_.twin(edge)) &&
+                          (flip(edge_between(v, x)) || flip(edge_between(q, x)));
+               });
     }
 
     /// Height over longest edge of the worst triangle.
@@ -128,59 +125,29 @@ private:
         return worst;
     }
 
-    // Flips the edge between two vertices, if it is within a phase.
-    bool flip_edge(std::uint32_t v, std::uint32_t w) {
-        const Corner c = edge_between(v, w);
-        return !is_border(c) && !is_border(complex_.twin(c)) && !is_sheet(complex_, c) &&
-               edge_flip(submesh_, c) == Verdict::legal;
-    }
-
     // Takes the worst triangle out of the star by a flip, if that leaves a better one there: where
     // two vertices of the seam are in the star, and the place is on their line.
     bool flip_away(const Worst& worst, const Point<Real>& place) {
         for (const Corner c : {next(worst.corner), prev(worst.corner)}) { // opposite to the edge
             const Corner across = complex_.twin(c);
-            if (is_border(across) || is_sheet(complex_, c)) {
+            if (is_border(across)) {
                 continue;
             }
             const bool is_first = c == next(worst.corner);
             const Point<Real> a = at(complex_.vertex(is_first ? c : across));
             const Point<Real> b = at(complex_.vertex(is_first ? across : c));
-            if (height_over_longest<Real>(place, a, b) > worst.height &&
-                edge_flip(submesh_, c) == Verdict::legal) {
+            if (height_over_longest<Real>(place, a, b) > worst.height && flip(c)) {
                 return true;
             }
         }
         return false;
     }
 
-    // A tip of the film within one phase goes to that phase first: with it, its vertex leaves the
-    // interface.
-    void give_tip(Corner apex) {
-        if (is_border(apex)) {
-            return;
-        }
-        const Triangle tip{triangle_of(apex)};
-        Phase around = border_phase;
-        const Corner other = find_corner(complex_, Vertex{complex_.vertex(apex)}, [&](Corner c) {
-            const Phase phase = complex_.phase_at(c);
-            if (c != apex && around == border_phase) {
-                around = phase;
-            }
-            return c != apex && (phase != around || phase == complex_.phase(tip));
-        });
-        if (other == no_id && around != border_phase) {
-            work_.swept += static_cast<double>(doubled_area(complex_, tip)) / 2;
-            give(work_, tip, around);
-        }
-    }
-
     // The vertex, and the vertices around it, are not blocked any more.
     void settle(std::uint32_t kept) {
         complex_.vertices[kept].flags &=
             ~static_cast<std::uint32_t>(vertex_contact | vertex_feature | vertex_on_way);
-        Note& note = work_.notes[Vertex{kept}];
-        note.round = 0; // where it was before says nothing about a front
+        work_.notes[Vertex{kept}].round = 0; // where it was before says nothing about a front
         touch(work_, Vertex{kept});
         for (const std::uint32_t w : link_of(complex_, kept)) {
             complex_.vertices[w].flags &= ~static_cast<std::uint32_t>(vertex_contact);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/landing/junction_landing.h"
+#include "topology/landing/landing.h"
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"

@@ -46,7 +46,7 @@ public:
         for (const auto& candidate : candidates_) {
             const Vertex v{candidate.vertex};
             take(v.id);
-            if (complex_.is_alive(v) && (is_on_boundary(v.id) || is_junction(v.id))) {
+            if (complex_.is_alive(v) && is_end(v.id)) {
                 for_each_corner(complex_, v, [&](Corner c) {
                     if (is_outline(complex_, prev(c))) {
                         take(complex_.vertex(next(c)));
@@ -94,16 +94,16 @@ private:
         return !work_.blocked.empty() && complex_.is_alive(Vertex{v}) &&
                find_corner(complex_, Vertex{v}, [&](Corner c) {
                    const std::uint32_t end = complex_.vertex(next(c));
-                   return is_sheet(complex_, prev(c)) && is_blocked(work_, end) &&
-                          (is_on_boundary(end) || is_junction(end));
+                   return is_sheet(complex_, prev(c)) && is_blocked(work_, end) && is_end(end);
                }) != no_id;
     }
 
     [[nodiscard]] bool is_on_boundary(std::uint32_t v) const {
         return dsc::is_on_boundary(complex_, Vertex{v});
     }
-    [[nodiscard]] bool is_junction(std::uint32_t v) const {
-        return dsc::is_junction(complex_, Vertex{v});
+    // Where a curve ends.
+    [[nodiscard]] bool is_end(std::uint32_t v) const {
+        return is_on_boundary(v) || is_junction(complex_, Vertex{v});
     }
 
     // Between a blocked vertex and the end of its curve there may be vertices of an equally small
@@ -159,7 +159,7 @@ private:
         std::ranges::sort(neighbours); // the nearer one first
         for (const std::size_t i : {0U, 1U}) {
             const std::uint32_t end = std::get<3>(neighbours[i]);
-            if ((is_on_boundary(end) || is_junction(end)) && land_beside(v, end)) {
+            if (is_end(end) && land_beside(v, end)) {
                 return std::get<3>(neighbours[1 - i]);
             }
         }
