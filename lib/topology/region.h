@@ -15,6 +15,7 @@
 #include "topology/options.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -221,14 +222,6 @@ template <class Real>
            place_before(work, v) == work.complex.position(Vertex{v});
 }
 
-/// Marks the vertices of this triangle as lying on a seam, from which the seam may extend.
-template <class Real>
-void mark_seam(TopologyWork<Real>& work, Triangle t) {
-    for (const Vertex v : work.complex.vertices_of(t)) {
-        work.notes[v].what |= noted_seam;
-    }
-}
-
 /// The smallest height of a triangle.
 template <class Real>
 [[nodiscard]] Real thickness(const Complex<Real>& complex, Triangle t) {
@@ -252,24 +245,27 @@ template <class Real>
     return min_area(work.options, work.edge_length);
 }
 
-/// Small pieces have at most this many triangles, unless their edges are very short.
+/// Small pieces have at most this many triangles per squared edge length, unless their edges are
+/// very short.
 inline constexpr std::size_t max_share_of_piece = 96;
 
-/// Collects in `piece` all triangles of the piece of a phase that contains `start`. Stops at
-/// `max_share_of_piece` + 1 triangles. O(their number squared).
+/// The question to the application whether phases may take a triangle of a film. O(1).
 template <class Real>
-void gather_piece(const Complex<Real>& complex, Triangle start, std::vector<Triangle>& piece) {
-    const Phase phase = complex.phase(start);
-    piece.assign(1, start);
-    for (std::size_t i = 0; i < piece.size() && piece.size() <= max_share_of_piece; ++i) {
-        for (std::uint32_t k = 0; k < 3; ++k) {
-            const Corner across = complex.twin(corner_of(piece[i].id, k));
-            const Triangle t{triangle_of(across)};
-            if (complex.phase_at(across) == phase && std::ranges::find(piece, t) == piece.end()) {
-                piece.push_back(t);
-            }
-        }
-    }
+[[nodiscard]] Contact question_at(const Complex<Real>& complex, Triangle t,
+                                  const std::array<Phase, 2>& sides) {
+    const Point<double> place = centroid(complex, t).template cast<double>();
+    return {.film = complex.phase(t),
+            .sides = sides,
+            .x = place.x(),
+            .y = place.y(),
+            .thickness = static_cast<double>(thickness(complex, t))};
+}
+
+/// The event that answers it, without its area.
+template <class Real>
+[[nodiscard]] Event event_at(const TopologyWork<Real>& work, EventKind kind, const Contact& at,
+                             const std::array<Phase, 2>& taken) {
+    return {.kind = kind, .time = work.time, .x = at.x, .y = at.y, .lost = at.film, .taken = taken};
 }
 
 /// Gives the triangle to another phase; its vertices may move again.

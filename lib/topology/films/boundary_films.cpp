@@ -6,6 +6,7 @@
 #include "dsc/operations/edge_split.h"
 #include "topology/films/facing.h"
 #include "topology/films/film_region.h"
+#include "topology/junctions/sectors.h"
 
 #include <algorithm>
 #include <array>
@@ -233,17 +234,8 @@ private:
             rest = {others, rest.end()};
             const auto& thinnest = *std::ranges::min_element(
                 part, {}, [](const Chord<Real>& chord) { return chord.ray.thickness; });
-            const Event event{.kind = kind,
-                              .time = work_.time,
-                              .x = static_cast<double>(thinnest.ray.middle.x()),
-                              .y = static_cast<double>(thinnest.ray.middle.y()),
-                              .lost = film,
-                              .taken = {taker, taker}};
-            if (!may_open(work_, {.film = film,
-                                  .sides = {taker, border_phase},
-                                  .x = event.x,
-                                  .y = event.y,
-                                  .thickness = static_cast<double>(thinnest.ray.thickness)})) {
+            const Contact question = question_at(complex_, thinnest);
+            if (!may_open(work_, question)) {
                 refused.push_back(taker);
                 continue;
             }
@@ -251,7 +243,7 @@ private:
                 sheets.push_back({Vertex{complex_.vertex(next(chord.sheet))},
                                   Vertex{complex_.vertex(prev(chord.sheet))}});
             }
-            events.push_back(event);
+            events.push_back(event_at(work_, kind, question, {taker, taker}));
         }
         prepare(sheets, contact);
         FilmRegion<Real> region(work_, film, contact);
@@ -284,20 +276,9 @@ private:
         if (std::ranges::find(refused, to) != refused.end()) {
             return false;
         }
-        const Phase film = complex_.phase(t);
-        const Point<double> place = centroid(complex_, t).template cast<double>();
-        if (rule_of(work_.options, work_.edge_length, film, to).rule == Topology::change &&
-            may_open(work_, {.film = film,
-                             .sides = {to, border_phase},
-                             .x = place.x(),
-                             .y = place.y(),
-                             .thickness = static_cast<double>(thickness(complex_, t))})) {
-            events.push_back({.kind = kind,
-                              .time = work_.time,
-                              .x = place.x(),
-                              .y = place.y(),
-                              .lost = film,
-                              .taken = {to, to}});
+        const Contact question = question_at(complex_, t, {to, border_phase});
+        if (may_change(work_, question.film, to) && may_open(work_, question)) {
+            events.push_back(event_at(work_, kind, question, {to, to}));
             return true;
         }
         refused.push_back(to);

@@ -114,6 +114,17 @@ Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet) {
 }
 
 template <class Real>
+Contact question_at(const Complex<Real>& complex, const Chord<Real>& chord) {
+    const FilmRay<Real>& ray = chord.ray;
+    const Corner end = ray.opposite != no_id ? ray.opposite : ray.boundary;
+    return {.film = complex.phase_at(chord.sheet),
+            .sides = {phase_beyond(complex, chord.sheet), phase_beyond(complex, end)},
+            .x = static_cast<double>(ray.middle.x()),
+            .y = static_cast<double>(ray.middle.y()),
+            .thickness = static_cast<double>(ray.thickness)};
+}
+
+template <class Real>
 Chords<Real> find_chords(const TopologyWork<Real>& work) {
     const Complex<Real>& complex = work.complex;
     std::atomic<Phase> front = border_phase; // the first that some thread finds
@@ -218,6 +229,7 @@ Connection connection_of(const TopologyWork<Real>& work, const Chord<Real>& chor
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template Chord<Real> find_chord(const TopologyWork<Real>&, Corner);                            \
+    template Contact question_at(const Complex<Real>&, const Chord<Real>&);                        \
     template Chords<Real> find_chords(const TopologyWork<Real>&);                                  \
     template std::vector<std::vector<Corner>> thin_places(const Complex<Real>&,                    \
                                                           std::span<const Chord<Real>>);           \

@@ -29,6 +29,10 @@ struct Chord {
 template <class Real>
 [[nodiscard]] Chord<Real> find_chord(const TopologyWork<Real>& work, Corner sheet);
 
+/// The question to the application whether the film may open at a chord. O(1).
+template <class Real>
+[[nodiscard]] Contact question_at(const Complex<Real>& complex, const Chord<Real>& chord);
+
 /// The chords of an interface.
 template <class Real>
 struct Chords {

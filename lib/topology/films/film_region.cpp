@@ -3,13 +3,13 @@
 
 #include "dsc/base/verdict.h"
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
 #include "dsc/operations/edge_split.h"
 #include "dsc/queries/phases.h"
 #include "topology/films/film_ray.h"
 #include "topology/fronts/arrival.h"
 #include "topology/fronts/division.h"
 #include "topology/fronts/front_point.h"
+#include "topology/junctions/merging.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ namespace dsc {
 namespace {
 
 constexpr int smoothing_rounds = 4;
-/// A vertex is not moved if the doubled area of a triangle over its longest edge squared (at most
-/// 0.87) would fall below this.
-constexpr double min_share = 0.2;
+/// A vertex is not moved if the height of a triangle over its longest edge (at most 0.87) would
+/// fall below this, unless that is better than before.
+constexpr double straightened_height = 0.2;
 /// A pocket shares more of its outline than this with the region about it. The phase beyond a neck
 /// shares less.
 constexpr double pocket_share = 1.0 / 3;
@@ -255,41 +255,11 @@ void FilmRegion<Real>::straighten(Vertex v) {
         return;
     }
     const Point<Real> place = sum / Real(2);
-    const Real share = worst_share(v, place);
-    if (share >= static_cast<Real>(min_share) || share > worst_share(v, complex.position(v))) {
-        if (share > 0 && is_all_positive(v, place)) {
-            rewire::move(complex, complex.journal, v.id, place.x(), place.y(),
-                         MoveReason::smoothing);
-        }
+    const Real height = worst_height(complex, v, place);
+    if (height > 0 && (height >= static_cast<Real>(straightened_height) ||
+                       height > worst_height(complex, v, complex.position(v)))) {
+        rewire::move(complex, complex.journal, v.id, place.x(), place.y(), MoveReason::smoothing);
     }
-}
-
-// The smallest area doubled over the longest edge squared of the triangles about the vertex.
-template <class Real>
-Real FilmRegion<Real>::worst_share(Vertex v, const Point<Real>& place) const {
-    const Complex<Real>& complex = work_.complex;
-    Real worst = std::numeric_limits<Real>::max();
-    for_each_corner(complex, v, [&](Corner c) {
-        const Point<Real> a = complex.position(Vertex{complex.vertex(next(c))}) - place;
-        const Point<Real> b = complex.position(Vertex{complex.vertex(prev(c))}) - place;
-        const Real longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-        worst = std::min(worst, cross<Real>(a, b) / longest);
-    });
-    return worst;
-}
-
-// Uses the exact predicate, because for the thinnest triangles the sign of the computed share is
-// that of its rounding error.
-template <class Real>
-bool FilmRegion<Real>::is_all_positive(Vertex v, const Point<Real>& place) const {
-    const Complex<Real>& complex = work_.complex;
-    bool is_positive = true;
-    for_each_corner(complex, v, [&](Corner c) {
-        is_positive = is_positive &&
-                      orientation<Real>(place, complex.position(Vertex{complex.vertex(next(c))}),
-                                        complex.position(Vertex{complex.vertex(prev(c))})) > 0;
-    });
-    return is_positive;
 }
 
 template <class Real>
@@ -351,9 +321,9 @@ double FilmRegion<Real>::give_all() {
     for (const Triangle t : order_) {
         area += static_cast<double>(doubled_area(work_.complex, t)) / 2;
         give(work_, t, entries_.at(t.id).to);
-        mark_seam(work_, t);
     }
     for (const Vertex v : vertices()) {
+        work_.notes[v].what |= noted_seam; // the seam may extend from here
         if (!is_interface(work_.complex, v)) {
             work_.ahead[v] = {};
         }

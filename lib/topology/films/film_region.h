@@ -73,8 +73,6 @@ private:
     /// The phase of a triangle after the change.
     [[nodiscard]] Phase phase_later(Triangle t) const;
     void straighten(Vertex v);
-    [[nodiscard]] Real worst_share(Vertex v, const Point<Real>& place) const;
-    [[nodiscard]] bool is_all_positive(Vertex v, const Point<Real>& place) const;
 
     TopologyWork<Real>& work_;
     Phase film_;

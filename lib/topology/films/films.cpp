@@ -59,7 +59,7 @@ private:
                 tip = std::min(tip, chord.ray.thickness);
             } else if (work_.options.follows_seams && is_thin_at_both(chord) &&
                        goes_on(chord, connection) &&
-                       (connection.is_seam || may_open(work_, contact(chord)))) {
+                       (connection.is_seam || may_open(work_, question_at(complex_, chord)))) {
                 seams_.push_back(chord);
             }
         }
@@ -116,27 +116,6 @@ private:
         return closes(one, other) || closes(other, one);
     }
 
-    // The question to the application.
-    Contact contact(const Chord<Real>& chord) const {
-        return {.film = complex_.phase_at(chord.sheet),
-                .sides = {phase_beyond(complex_, chord.sheet),
-                          phase_beyond(complex_, chord.ray.opposite)},
-                .x = static_cast<double>(chord.ray.middle.x()),
-                .y = static_cast<double>(chord.ray.middle.y()),
-                .thickness = static_cast<double>(chord.ray.thickness)};
-    }
-
-    // An event at a chord, without its area.
-    Event event_at(const Chord<Real>& chord, EventKind kind) const {
-        const Contact at = contact(chord);
-        return {.kind = kind,
-                .time = work_.time,
-                .x = at.x,
-                .y = at.y,
-                .lost = at.film,
-                .taken = at.sides};
-    }
-
     // The neck that an opened film leaves is as thin as the film was: it would close again at once,
     // so it only counts as a film if the flow squeezes it.
     bool has_end_on_seam(Corner sheet) const {
@@ -153,30 +132,27 @@ private:
     }
 
     void open(const Chord<Real>& film) {
-        if (!may_open(work_, contact(film))) {
+        const Contact question = question_at(complex_, film);
+        if (!may_open(work_, question)) {
             return;
         }
         FilmRegion<Real> region =
             region_of(work_.options.follows_seams ? chords_ : std::vector{film});
-        give_all(region, event_at(film, kind_of(film, region)));
+        give_all(region, event_at(work_, kind_of(film, region), question, question.sides));
     }
 
     void widen() {
         FilmRegion<Real> region = region_of(seams_);
-        give_all(region, event_at(*std::ranges::min_element(seams_, is_thinner), EventKind::widen));
+        const Contact at = question_at(complex_, *std::ranges::min_element(seams_, is_thinner));
+        give_all(region, event_at(work_, EventKind::widen, at, at.sides));
     }
 
     // The rest of a film may reach to other fronts, which take their parts of it. The event is made
     // before, because edges are split, and with them the corners of half-edges change.
     void give_all(FilmRegion<Real>& region, Event event) {
         region.divide([&](Triangle t, Phase to) {
-            const Point<double> place = centroid(complex_, t).template cast<double>();
             return contact_of(work_, event.lost, to) > 0 &&
-                   may_open(work_, {.film = event.lost,
-                                    .sides = {to, to},
-                                    .x = place.x(),
-                                    .y = place.y(),
-                                    .thickness = static_cast<double>(thickness(complex_, t))});
+                   may_open(work_, question_at(complex_, t, {to, to}));
         });
         std::vector<Event> others;
         for (const Phase taker : region.takers()) {

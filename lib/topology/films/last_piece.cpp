@@ -2,8 +2,6 @@
 #include "topology/films/last_piece.h"
 
 #include "dsc/complex/submesh.h"
-#include "dsc/geometry/predicates.h"
-#include "dsc/geometry/side.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
 #include "topology/fronts/front_curve.h"
@@ -14,9 +12,6 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
 
 namespace dsc {
 
@@ -31,30 +26,20 @@ template <class Real>
 class LastPiece {
 public:
     LastPiece(TopologyWork<Real>& work, std::span<const Triangle> piece,
-              std::span<const Corner> outline)
+              std::span<const Corner> outline, std::size_t fronts)
         : work_(work), complex_(work.complex), submesh_(work.complex), piece_(piece),
-          outline_(outline), film_(work.complex.phase(piece.front())) {}
+          outline_(outline), fronts_(fronts), film_(work.complex.phase(piece.front())) {}
 
     Closing run() {
-        Phase other = film_;
-        bool is_one = true;
         for (const Corner c : outline_) {
             ends_.push_back(complex_.vertex(next(c)));
-            if (is_border(complex_.twin(c))) {
+            if (is_border(complex_.twin(c)) ||
+                !may_change(work_, film_, phase_beyond(complex_, c))) {
                 return Closing::impossible;
             }
-            const Phase beyond = phase_beyond(complex_, c);
-            if (rule_of(work_.options, work_.edge_length, film_, beyond).rule != Topology::change) {
-                return Closing::impossible;
-            }
-            is_one = is_one && (other == film_ || beyond == other);
-            other = beyond;
-        }
-        if (is_one) {
-            return Closing::impossible;
         }
         const Point<Real> place = meeting_place();
-        if (has_many_fronts() && shares_ > static_cast<Real>(most_shares)) {
+        if (fronts_ > 3 && shares_ > static_cast<Real>(most_shares)) {
             return Closing::later;
         }
         const std::uint32_t centre = vertex_within();
@@ -90,23 +75,6 @@ public:
     }
 
 private:
-    [[nodiscard]] bool has_many_fronts() const {
-        std::array<Phase, 3> found{};
-        std::size_t count = 0;
-        return std::ranges::any_of(outline_, [&](Corner c) {
-            const Phase beyond = phase_beyond(complex_, c);
-            const auto known = std::span(found).first(count);
-            if (std::ranges::find(known, beyond) != known.end()) {
-                return false;
-            }
-            if (count == found.size()) {
-                return true;
-            }
-            found[count++] = beyond;
-            return false;
-        });
-    }
-
     [[nodiscard]] Point<Real> at(std::uint32_t v) const { return complex_.position(Vertex{v}); }
     [[nodiscard]] bool is_of_film(Corner c) const {
         return !is_border(c) && complex_.phase_at(c) == film_;
@@ -257,12 +225,7 @@ private:
         const Point<Real> from = at(v);
         for (const Real share : {Real(1), Real(0.5), Real(0.25)}) {
             const Point<Real> to = from + share * (place - from);
-            bool is_positive = true;
-            for_each_corner(complex_, Vertex{v}, [&](Corner c) {
-                is_positive = is_positive && orientation<Real>(to, at(complex_.vertex(next(c))),
-                                                               at(complex_.vertex(prev(c)))) > 0;
-            });
-            if (is_positive) {
+            if (worst_height(complex_, Vertex{v}, to) > 0) {
                 // In a piece of a single triangle the vertex is on a sheet.
                 const double before = work_.swept;
                 note_sweep(work_, Vertex{v}, Vertex{}, to);
@@ -278,6 +241,7 @@ private:
     Submesh<Real> submesh_;
     std::span<const Triangle> piece_;
     std::span<const Corner> outline_;
+    std::size_t fronts_; ///< the number of phases beyond the outline
     Phase film_;
     std::vector<std::uint32_t> ends_; ///< the vertices of the outline
     Real shares_ = 0;                 ///< of a sub-step until the fronts reach the meeting place
@@ -287,13 +251,13 @@ private:
 
 template <class Real>
 Closing close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
-                         std::span<const Corner> outline) {
-    return LastPiece<Real>(work, piece, outline).run();
+                         std::span<const Corner> outline, std::size_t fronts) {
+    return LastPiece<Real>(work, piece, outline, fronts).run();
 }
 
 template Closing close_last_piece(TopologyWork<double>&, std::span<const Triangle>,
-                                  std::span<const Corner>);
+                                  std::span<const Corner>, std::size_t);
 template Closing close_last_piece(TopologyWork<float>&, std::span<const Triangle>,
-                                  std::span<const Corner>);
+                                  std::span<const Corner>, std::size_t);
 
 } // namespace dsc

@@ -13,15 +13,16 @@ namespace dsc {
 enum class Closing {
     done,
     later,      ///< its fronts are too far from one place yet
-    impossible, ///< it has only one phase around it or reaches the domain boundary, or its
+    impossible, ///< it reaches the domain boundary or a phase that may not change, or its
                 ///< triangles are in the way: then it may have other triangles
 };
 
 /// Moves a vertex of the piece to the place that all fronts around it reach at the same time, as
 /// nearly as they do, and gives each triangle about it to the phase beyond its outline. `outline`:
-/// all half-edges of the piece's outline. O(triangles squared).
+/// all half-edges of the piece's outline; `fronts`: the number of phases beyond it, two or more.
+/// O(triangles squared).
 template <class Real>
 Closing close_last_piece(TopologyWork<Real>& work, std::span<const Triangle> piece,
-                         std::span<const Corner> outline);
+                         std::span<const Corner> outline, std::size_t fronts);
 
 } // namespace dsc

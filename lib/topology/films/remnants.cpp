@@ -3,6 +3,7 @@
 
 #include "topology/films/last_piece.h"
 #include "topology/fronts/division.h"
+#include "topology/junctions/sectors.h"
 
 #include <algorithm>
 #include <array>
@@ -14,10 +15,6 @@
 namespace dsc {
 
 namespace {
-
-/// Small pieces have at most this many triangles per squared edge length of the smallest area,
-/// unless their edges are very short.
-constexpr std::size_t max_per_area = max_share_of_piece;
 
 template <class Real>
 class Remnants {
@@ -36,11 +33,11 @@ public:
     }
 
 private:
-    // The largest number of triangles of a small piece; `area` is the smallest area, in squared
-    // edge lengths.
+    // The largest number of triangles of a small piece, unless their edges are very short; `area`
+    // is the smallest area, in squared edge lengths.
     static std::size_t most_of(Real area) {
         constexpr Real largest = 1e6;
-        return static_cast<std::size_t>(static_cast<Real>(max_per_area) *
+        return static_cast<std::size_t>(static_cast<Real>(max_share_of_piece) *
                                         std::clamp(area, Real(1), largest));
     }
 
@@ -166,9 +163,9 @@ private:
         if (!meet_in_points(phase)) {
             heirs_.resize(1);
         }
-        const Closing closing = heirs_.size() == 1
-                                    ? Closing::impossible
-                                    : close_last_piece<Real>(work_, piece_, outline_);
+        const Closing closing =
+            heirs_.size() == 1 ? Closing::impossible
+                               : close_last_piece<Real>(work_, piece_, outline_, heirs_.size());
         if (closing == Closing::later) {
             return;
         }
@@ -192,8 +189,7 @@ private:
         for (const Corner c : outline_) {
             const Corner across = complex_.twin(c);
             const Phase other = complex_.phase_at(across);
-            if (is_border(across) ||
-                rule_of(work_.options, work_.edge_length, phase, other).rule != Topology::change) {
+            if (is_border(across) || !may_change(work_, phase, other)) {
                 continue;
             }
             const auto at = std::ranges::find(lengths, other, &std::pair<Phase, Real>::first);

@@ -84,19 +84,11 @@ private:
                 return true;
             }
             if (complex_.triangle_count() != size) {
-                find_again();
+                find_sectors_again(complex_, v_, sectors_);
             }
             gains_[k] = never;
         }
         return false;
-    }
-
-    // Finds the same sectors again, in the same order, after edits of their triangles.
-    void find_again() {
-        const Point<Real> ray = sectors_[0].ray;
-        find_sectors(complex_, v_, sectors_);
-        const auto start = std::ranges::find(sectors_.list, ray, &Sector<Real>::ray);
-        std::rotate(sectors_.list.begin(), start, sectors_.list.end());
     }
 
     [[nodiscard]] double gain_of(std::size_t k) const {
@@ -172,7 +164,7 @@ private:
             has_edited = remove_inside(work_, w, static_cast<Real>(poor_squared)) || has_edited;
         }
         if (has_edited) {
-            find_again();
+            find_sectors_again(complex_, v_, sectors_);
         }
     }
 

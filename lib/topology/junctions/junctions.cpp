@@ -3,6 +3,7 @@
 
 #include "dsc/complex/submesh.h"
 #include "dsc/operations/edge_collapse.h"
+#include "topology/fronts/front_curve.h"
 #include "topology/junctions/junction_split.h"
 #include "topology/junctions/mending.h"
 #include "topology/junctions/merging.h"
@@ -121,12 +122,7 @@ private:
         const std::uint32_t size = complex_.triangle_count();
         const Vertex left = merge_ends(work_, v, w, either);
         if (!left.is_valid() && complex_.triangle_count() != size) {
-            const Point<Real> ray = here_[0].ray;
-            find_sectors(complex_, v, here_);
-            if (!here_.is_on_boundary) {
-                const auto start = std::ranges::find(here_.list, ray, &Sector<Real>::ray);
-                std::rotate(here_.list.begin(), start, here_.list.end());
-            }
+            find_sectors_again(complex_, v, here_);
         }
         return left;
     }
@@ -218,7 +214,7 @@ private:
     // vertex of neither kind blocks the way and is removed.
     void flip_on_boundary(Vertex v) {
         for (const bool is_first : {true, false}) {
-            const Corner at = is_first ? here_[0].first : last_corner(here_[1]);
+            const Corner at = is_first ? here_[0].first : last_of(complex_, here_[1]);
             const Vertex w{complex_.vertex(is_first ? next(at) : prev(at))};
             const Corner edge = is_first ? prev(at) : next(at);
             if (!is_short(v, w)) {
@@ -244,14 +240,6 @@ private:
                 return;
             }
         }
-    }
-
-    Corner last_corner(const Sector<Real>& sector) const {
-        Corner c = sector.first;
-        for (std::size_t i = 1; i < sector.count; ++i) {
-            c = corner_ccw(complex_, c);
-        }
-        return c;
     }
 
     // `one` is the first end on the domain boundary, counter-clockwise. Its second sector is the

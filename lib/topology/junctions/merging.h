@@ -45,4 +45,16 @@ template <class Real>
                : Real(0);
 }
 
+/// The smallest of these in the star of a vertex, with the vertex at a place. O(degree).
+template <class Real>
+[[nodiscard]] Real worst_height(const Complex<Real>& complex, Vertex v, const Point<Real>& place) {
+    Real worst = 1;
+    for_each_corner(complex, v, [&](Corner c) {
+        worst = std::min(worst, height_over_longest<Real>(
+                                    place, complex.position(Vertex{complex.vertex(next(c))}),
+                                    complex.position(Vertex{complex.vertex(prev(c))})));
+    });
+    return worst;
+}
+
 } // namespace dsc

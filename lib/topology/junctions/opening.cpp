@@ -5,8 +5,8 @@
 #include "dsc/geometry/points.h"
 #include "dsc/operations/edge_flip.h"
 #include "dsc/operations/edge_split.h"
+#include "topology/fronts/front_curve.h"
 
-#include <cmath>
 #include <limits>
 
 namespace dsc {
@@ -104,10 +104,7 @@ private:
     // The incident edge nearest to the middle of the sector, less than 180 degrees from both its
     // ends; 0 if there is none.
     std::size_t middle_edge(const Sector<Real>& sector) const {
-        const auto half = static_cast<Real>(sector.angle / 2);
-        const Point<Real>& ray = sector.ray;
-        const Point<Real> middle(ray.x() * std::cos(half) - ray.y() * std::sin(half),
-                                 ray.x() * std::sin(half) + ray.y() * std::cos(half));
+        const Point<Real> middle = middle_of(sector);
         std::size_t best = 0;
         Real nearest = -2;
         for (std::size_t i = 1; i + 1 < link_.size(); ++i) {

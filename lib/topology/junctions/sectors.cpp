@@ -5,6 +5,7 @@
 #include "dsc/geometry/predicates.h"
 #include "dsc/geometry/side.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,21 +50,13 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
             return; // inside a phase
         }
     }
-    const Corner last = [&] {
-        Corner c = start;
-        while (true) {
-            const Phase phase = complex.phase_at(c);
-            if (list.empty() || list.back().phase != phase) {
-                list.push_back({phase, c, 0, way(complex.vertex(next(c))), 0});
-            }
-            ++list.back().count;
-            const Corner following = corner_ccw(complex, c);
-            if (is_border(following) || following == start) {
-                return c;
-            }
-            c = following;
+    const Corner last = circulate(complex, start, [&](Corner c) {
+        const Phase phase = complex.phase_at(c);
+        if (list.empty() || list.back().phase != phase) {
+            list.push_back({phase, c, 0, way(complex.vertex(next(c))), 0});
         }
-    }();
+        ++list.back().count;
+    });
     sectors.end = list.front().ray;
     if (sectors.is_on_boundary) {
         const std::uint32_t from = complex.vertex(next(first));
@@ -77,6 +70,14 @@ void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors
         list[k].angle =
             angle_between(list[k].ray, k + 1 < list.size() ? list[k + 1].ray : sectors.end);
     }
+}
+
+template <class Real>
+void find_sectors_again(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors) {
+    const Point<Real> ray = sectors[0].ray;
+    find_sectors(complex, v, sectors);
+    const auto start = std::ranges::find(sectors.list, ray, &Sector<Real>::ray);
+    std::rotate(sectors.list.begin(), start, sectors.list.end());
 }
 
 template <class Real>
@@ -149,6 +150,7 @@ double energy_along_boundary(const TopologyWork<Real>& work, Phase sector, Phase
 
 #define DSC_INSTANTIATE(Real)                                                                      \
     template void find_sectors(const Complex<Real>&, Vertex, Sectors<Real>&);                      \
+    template void find_sectors_again(const Complex<Real>&, Vertex, Sectors<Real>&);                \
     template bool may_split(const Complex<Real>&, Vertex, Real);                                   \
     template double angle_between(const Point<Real>&, const Point<Real>&);                         \
     template bool may_change(const TopologyWork<Real>&, Phase, Phase);                             \

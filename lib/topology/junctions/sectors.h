@@ -54,6 +54,10 @@ struct Sectors {
 template <class Real>
 void find_sectors(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors);
 
+/// The same after edits of their triangles: the list begins with the same sector as before.
+template <class Real>
+void find_sectors_again(const Complex<Real>& complex, Vertex v, Sectors<Real>& sectors);
+
 /// Whether the vertex may have to change: it has more sectors than are stable, or a curve that may
 /// end in a corner, or an edge shorter than `shortest` along the interface, or along the domain
 /// boundary from the end of a curve. Cheaper than finding the sectors, and false for most vertices.
