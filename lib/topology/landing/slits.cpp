@@ -24,34 +24,12 @@ Corner slit_at(const TopologyWork<Real>& work, std::uint32_t v) {
     return found;
 }
 
-// A side of the thin triangle that remains between two edges of the curve, if the vertex is
-// above a boundary edge at the curve's end; no_id if there is none.
-template <class Real>
-Corner ear_at(const TopologyWork<Real>& work, std::uint32_t v) {
-    const Complex<Real>& complex = work.complex;
-    Corner found = no_id;
-    for_each_corner(complex, Vertex{v}, [&](Corner c) {
-        for (const Corner side : {next(c), prev(c)}) {
-            const Corner apex = complex.twin(side);
-            if (is_border(complex.twin(c)) && !is_outline(complex, side) &&
-                is_sheet(complex, next(apex)) && is_sheet(complex, prev(apex)) &&
-                phase_beyond(complex, next(apex)) == phase_beyond(complex, prev(apex)) &&
-                thickness(complex, Triangle{triangle_of(apex)}) <
-                    within_triangles(work, contact_at(work, next(apex)))) {
-                found = next(apex);
-            }
-        }
-    });
-    return found;
-}
-
 } // namespace
 
 template <class Real>
 void fill_slits(TopologyWork<Real>& work, std::uint32_t v) {
     const Complex<Real>& complex = work.complex;
-    Corner side = no_id;
-    while ((side = slit_at(work, v)) != no_id || (side = ear_at(work, v)) != no_id) {
+    for (Corner side = slit_at(work, v); side != no_id; side = slit_at(work, v)) {
         const Triangle t{triangle_of(side)};
         const Point<double> place = centroid(complex, t).template cast<double>();
         const Phase taker = phase_beyond(complex, side);

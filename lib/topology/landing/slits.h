@@ -7,8 +7,8 @@
 namespace dsc {
 
 /// Fills the slit whose mouth blocks the vertex: a triangle with two long sides on the interface,
-/// whose mouth, at the vertex, is narrower than the contact distance. Also fills the rest of the
-/// film between the vertex and the end of its curve. One event for each triangle. O(degree).
+/// whose mouth, at the vertex, is narrower than the contact distance. One event for each triangle.
+/// O(degree).
 template <class Real>
 void fill_slits(TopologyWork<Real>& work, std::uint32_t v);
 
