@@ -49,8 +49,9 @@ public:
                 }
                 continue;
             }
-            const Worst worst = std::ranges::min({worst_at(v, q, place), worst_at(q, v, place)}, {},
-                                                 &Worst::height);
+            const Worst of_v = worst_at(v, q, place);
+            const Worst of_q = worst_at(q, v, place);
+            const Worst& worst = of_v.height <= of_q.height ? of_v : of_q;
             if (worst.height < static_cast<Real>(poor_height) && removed < max_cleared &&
                 (remove(complex_.vertex(next(worst.corner))) ||
                  remove(complex_.vertex(prev(worst.corner))) || flip_away(worst, place))) {
