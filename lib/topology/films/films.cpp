@@ -92,9 +92,15 @@ private:
                    : !has_end_on_seam(chord.sheet) && !has_end_on_seam(opposite);
     }
 
+    // Whether the sheets lie on each other. At the domain boundary vertices land instead.
     bool has_closed(const Chord<Real>& chord) const {
+        const auto is_inside = [&](Corner sheet) {
+            return !is_on_boundary(complex_, Vertex{complex_.vertex(next(sheet))}) &&
+                   !is_on_boundary(complex_, Vertex{complex_.vertex(prev(sheet))});
+        };
         return chord.ray.thickness <
-               static_cast<Real>(closed_notch) * direction(complex_, chord.sheet).norm();
+                   static_cast<Real>(closed_notch) * direction(complex_, chord.sheet).norm() &&
+               is_inside(chord.sheet) && is_inside(chord.ray.opposite);
     }
 
     // Whether the chord crosses a notch that closes: its two sheets share a vertex, and their other
